@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The library's only macros. Each may be defined by the user before any glint header is included, alike in every
+/// translation unit of a program.
+
+/// GLINT_ASSERT(condition): checks a *Requires* of the documentation. Follows NDEBUG unless replaced.
+#ifndef GLINT_ASSERT
+#include <cassert>
+#define GLINT_ASSERT(condition) assert(condition)
+#endif
+
+/// GLINT_ALWAYS_INLINE: for the few leaf functions on which the speed of traversal hangs.
+#ifndef GLINT_ALWAYS_INLINE
+#if defined(__GNUC__)
+#define GLINT_ALWAYS_INLINE [[gnu::always_inline]] inline
+#elif defined(_MSC_VER)
+#define GLINT_ALWAYS_INLINE __forceinline
+#else
+#define GLINT_ALWAYS_INLINE inline
+#endif
+#endif
+
+/// GLINT_NO_INLINE: keeps cold code out of hot loops.
+#ifndef GLINT_NO_INLINE
+#if defined(__GNUC__)
+#define GLINT_NO_INLINE [[gnu::noinline, gnu::cold]]
+#else
+#define GLINT_NO_INLINE
+#endif
+#endif
