@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <glm/matrix.hpp>
+
+#include <glint/light/concepts.hpp>
+#include <glint/math/constants.hpp>
+#include <glint/math/distribution.hpp>
+#include <glint/math/spherical.hpp>
+#include <glint/texture/concepts.hpp>
+
+namespace glint {
+
+/// The same radiance from every direction.
+///
+/// Units: radiance in W/(m² sr).
+struct ConstantEnvironment {
+  Rgb radiance{1};
+
+  [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& /*from*/, const Vec2<float>& u) const noexcept {
+    const float z = 1 - 2 * u.x;
+    const float r = std::sqrt(std::max(0.0F, 1 - z * z));
+    const float phi = 2 * pi<float> * u.y;
+    return LightSample{.wi = {r * std::cos(phi), r * std::sin(phi), z},
+                       .distance = infinity<float>,
+                       .radiance = radiance,
+                       .pdf = 0.25F * inv_pi<float>};
+  }
+
+  [[nodiscard]] Rgb background(const Vec3<float>& /*direction*/) const noexcept { return radiance; }
+  [[nodiscard]] static float pdf(const Vec3<float>& /*direction*/) noexcept { return 0.25F * inv_pi<float>; }
+
+  /// What falls on the sphere around the scene.
+  [[nodiscard]] Rgb power(const Aabb<float>& scene) const noexcept {
+    return radiance * (pi<float> * pi<float> * length_squared(is_empty(scene) ? Vec3<float>(0) : extent(scene)));
+  }
+
+  [[nodiscard]] friend bool operator==(const ConstantEnvironment&, const ConstantEnvironment&) noexcept = default;
+};
+
+static_assert(InfiniteLight<ConstantEnvironment>);
+
+/// Radiance from infinitely far away, looked up in a texture by direction (math/spherical.hpp: y up, v = 0 at the
+/// zenith, −z at u = 0), and sampled in proportion to it.
+///
+/// Source: Pharr, Jakob, Humphreys, Physically Based Rendering (4th ed., 2023), section 12.5.2.
+template <Texture T>
+class EnvironmentLight {
+ public:
+  /// `to_world` turns (or stretches) the texture's directions into the scene's. `resolution` is that of the table by
+  /// which directions are chosen, best the image's own; it has no part in what the light looks like.
+  ///
+  /// Requires: to_world is invertible; resolution ≥ 1.
+  EnvironmentLight(T texture, Vec2i resolution, Rgb scale = 1, const Mat3<float>& to_world = Mat3<float>(1))
+      : texture_(std::move(texture)),
+        scale_(scale),
+        to_world_(to_world),
+        from_world_(glm::inverse(to_world)),
+        inverse_determinant_(1 / std::abs(glm::determinant(to_world))),
+        choice_(table(texture_, resolution), resolution.x, resolution.y) {}
+
+  [[nodiscard]] Rgb background(const Vec3<float>& direction) const {
+    return scale_ * texture_.evaluate(direction_to_equirectangular(glm::normalize(from_world_ * direction)));
+  }
+
+  [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& /*from*/, const Vec2<float>& u) const {
+    const auto chosen = choice_.sample(u);
+    const Vec3<float> local = equirectangular_to_direction(chosen.point);
+    const float density = solid_angle_pdf(chosen.pdf, local);
+    if (!(density > 0)) return std::nullopt;
+    return LightSample{.wi = glm::normalize(to_world_ * local),
+                       .distance = infinity<float>,
+                       .radiance = scale_ * texture_.evaluate(chosen.point),
+                       .pdf = density};
+  }
+
+  [[nodiscard]] float pdf(const Vec3<float>& direction) const {
+    const Vec3<float> local = glm::normalize(from_world_ * direction);
+    return solid_angle_pdf(choice_.pdf(direction_to_equirectangular(local)), local);
+  }
+
+  [[nodiscard]] Rgb power(const Aabb<float>& scene) const {
+    const float area = length_squared(is_empty(scene) ? Vec3<float>(0) : extent(scene));
+    return scale_ * (pi<float> * pi<float> * choice_.mean() * 0.5F * pi<float> * area);
+  }
+
+ private:
+  /// The luminance of each cell times its share of the sphere. Each is the mean over nine points, borders included, so
+  /// that no cell that shines anywhere under bilinear lookup gets zero.
+  [[nodiscard]] static std::vector<float> table(const T& texture, Vec2i resolution) {
+    std::vector<float> cells;
+    cells.reserve(static_cast<std::size_t>(resolution.x) * static_cast<std::size_t>(resolution.y));
+    for (int y = 0; y < resolution.y; ++y) {
+      const float share = std::sin(pi<float> * (static_cast<float>(y) + 0.5F) / static_cast<float>(resolution.y));
+      for (int x = 0; x < resolution.x; ++x) {
+        float sum = 0;
+        for (int corner = 0; corner < 9; ++corner) {
+          const Vec2<float> at{static_cast<float>(x) + 0.5F * static_cast<float>(corner % 3),
+                               static_cast<float>(y) + 0.5F * static_cast<float>(corner / 3)};
+          sum += luminance(texture.evaluate(at / Vec2<float>(resolution)));
+        }
+        cells.push_back(sum / 9 * share);
+      }
+    }
+    return cells;
+  }
+
+  /// From the unit square to the sphere, dω = 2π² sin θ du dv, and through the stretch of to_world.
+  [[nodiscard]] float solid_angle_pdf(float pdf, const Vec3<float>& local) const {
+    const float sine = std::sqrt(local.x * local.x + local.z * local.z);
+    if (!(sine > 0)) return 0;
+    const float stretch = glm::length(to_world_ * local);
+    return pdf / (2 * pi<float> * pi<float> * sine) * stretch * stretch * stretch * inverse_determinant_;
+  }
+
+  T texture_;
+  Rgb scale_{1};
+  Mat3<float> to_world_{1.0F};
+  Mat3<float> from_world_{1.0F};
+  float inverse_determinant_ = 1;
+  Distribution2D choice_;
+};
+
+}  // namespace glint

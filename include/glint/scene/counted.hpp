@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include <glint/scene/concepts.hpp>
+
+namespace glint {
+
+/// A scene that counts the rays it is asked for. Integrators do not notice.
+///
+/// Threads: one counter each; the scene itself is shared.
+template <SceneLike S>
+struct Counted {
+  const S& scene;
+  std::uint64_t& rays;
+
+  [[nodiscard]] auto interact(const Ray<float>& ray) const {
+    ++rays;
+    return scene.interact(ray);
+  }
+  [[nodiscard]] bool occluded(const Ray<float>& ray) const {
+    ++rays;
+    return scene.occluded(ray);
+  }
+  [[nodiscard]] Rgb background(const Vec3<float>& direction) const { return scene.background(direction); }
+  [[nodiscard]] std::uint32_t light_count() const noexcept { return scene.light_count(); }
+  [[nodiscard]] const auto& light(std::uint32_t i) const noexcept { return scene.light(i); }
+  [[nodiscard]] const PowerLightSampler& light_sampler() const noexcept { return scene.light_sampler(); }
+};
+
+template <SceneLike S>
+Counted(const S&, std::uint64_t&) -> Counted<S>;
+
+}  // namespace glint

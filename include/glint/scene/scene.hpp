@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include <glint/bsdf/lambertian.hpp>
+#include <glint/geometry/concepts.hpp>
+#include <glint/geometry/surface.hpp>
+#include <glint/light/light_sampler.hpp>
+#include <glint/light/lights.hpp>
+#include <glint/material/concepts.hpp>
+#include <glint/scene/concepts.hpp>
+#include <glint/scene/interaction.hpp>
+
+namespace glint {
+
+/// Geometry whose hits can be shaded.
+template <typename G>
+concept ShadableRayCaster = RayCaster<G> && requires(const G& geometry, const Ray<typename G::Scalar>& ray,
+                                                     const Hit<typename G::Scalar, typename G::Index>& hit) {
+  { geometry.surface(ray, hit) } -> std::same_as<SurfaceOf<typename G::Scalar>>;
+};
+
+/// Geometry, what it is made of, and what lights it. Models SceneLike.
+///
+/// Shapes:  `Materials` is one material (or BSDF) for everything, or a table by primitive (MaterialTable).
+/// Threads: const means shareable.
+template <ShadableRayCaster Geometry, typename Materials = Lambertian, Light L = Darkness>
+  requires(Material<Materials> || MaterialTableLike<Materials>)
+class Scene {
+ public:
+  using Bsdf = BsdfOf<Materials>;
+  using Scalar = typename Geometry::Scalar;
+
+  explicit Scene(Geometry geometry, Materials materials = {}, Lights<L> lights = {})
+      : geometry_(std::move(geometry)),
+        materials_(std::move(materials)),
+        lights_(std::move(lights)),
+        light_sampler_(std::span<const L>(lights_.all), bounds()) {}
+
+  /// A scene with one light.
+  Scene(Geometry geometry, Materials materials, L light)
+      : Scene(std::move(geometry), std::move(materials), Lights<L>{{std::move(light)}}) {}
+
+  /// The closest surface on the ray. Bsdf and frame are worked out there; nothing where the ray meets nothing.
+  [[nodiscard]] std::optional<Interaction<Bsdf>> interact(const Ray<float>& ray) const {
+    const auto in_scene = cast_ray(ray);
+    const auto hit = geometry_.closest(in_scene);
+    if (!hit) return std::nullopt;
+    const Surface surface = surface_cast<float>(geometry_.surface(in_scene, *hit));
+    return Interaction<Bsdf>{.surface = surface,
+                             .frame = Frame<float>::from_normal_and_tangent(surface.shading_normal, surface.tangent),
+                             .wo = -glm::normalize(ray.direction),
+                             .bsdf = bsdf_at(materials_, surface, hit->primitive),
+                             .primitive = hit->primitive,
+                             .light = lights_.at_primitive(hit->primitive)};
+  }
+
+  [[nodiscard]] bool occluded(const Ray<float>& ray) const { return geometry_.occluded(cast_ray(ray)); }
+
+  /// The radiance of all lights at infinity.
+  [[nodiscard]] Rgb background(const Vec3<float>& direction) const {
+    Rgb sum;
+    for (const L& light : lights_.all) sum += glint::background(light, direction);
+    return sum;
+  }
+
+  [[nodiscard]] std::uint32_t light_count() const noexcept { return static_cast<std::uint32_t>(lights_.all.size()); }
+  /// Requires: i < light_count().
+  [[nodiscard]] const L& light(std::uint32_t i) const noexcept { return lights_.all[i]; }
+  [[nodiscard]] const PowerLightSampler& light_sampler() const noexcept { return light_sampler_; }
+
+  [[nodiscard]] const Geometry& geometry() const noexcept { return geometry_; }
+  [[nodiscard]] const Materials& materials() const noexcept { return materials_; }
+
+  [[nodiscard]] Aabb<float> bounds() const {
+    const auto box = geometry_.bounds();
+    return {Vec3<float>(box.lower), Vec3<float>(box.upper)};
+  }
+
+ private:
+  [[nodiscard]] static auto cast_ray(const Ray<float>& ray) noexcept {
+    if constexpr (std::is_same_v<Scalar, float>) {
+      return ray;
+    } else {
+      return Ray<Scalar>{Vec3<Scalar>(ray.origin), Vec3<Scalar>(ray.direction), Scalar(ray.t_min), Scalar(ray.t_max),
+                         Scalar(ray.time)};
+    }
+  }
+
+  Geometry geometry_;
+  Materials materials_;
+  Lights<L> lights_;
+  PowerLightSampler light_sampler_;
+};
+
+template <typename G>
+Scene(G) -> Scene<G>;
+template <typename G, typename M>
+Scene(G, M) -> Scene<G, M>;
+template <typename G, typename M, Light L>
+Scene(G, M, L) -> Scene<G, M, L>;
+template <typename G, typename M, Light L>
+Scene(G, M, Lights<L>) -> Scene<G, M, L>;
+
+}  // namespace glint
