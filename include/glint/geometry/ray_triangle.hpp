@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cmath>
+#include <concepts>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include <glint/core/config.hpp>
+#include <glint/geometry/hit.hpp>
+#include <glint/geometry/ray.hpp>
+#include <glint/math/rounding.hpp>
+#include <glint/math/vec.hpp>
+
+namespace glint {
+
+/// True where three points span no area: equal, or on one line.
+///
+/// Ensures: exact as long as the differences of the points are; for `float` these are formed in `double`.
+template <std::floating_point T>
+[[nodiscard]] bool is_degenerate(const Vec3<T>& v0, const Vec3<T>& v1, const Vec3<T>& v2) noexcept {
+  const Vec3<double> a = Vec3<double>(v1) - Vec3<double>(v0);
+  const Vec3<double> b = Vec3<double>(v2) - Vec3<double>(v0);
+  return exact_difference(a.y, b.z, a.z, b.y) == 0 && exact_difference(a.z, b.x, a.x, b.z) == 0 &&
+         exact_difference(a.x, b.y, a.y, b.x) == 0;
+}
+
+/// The triangle test without a preparation of ray or triangle. Rays through an edge may slip between two triangles
+/// that share it.
+///
+/// Ensures: two-sided; t_min ≤ t ≤ t_max; no tolerance of any kind, so triangles of any size are hit.
+/// Errors:  a NaN, a zero direction, and a triangle without area report no hit.
+/// Source:  Möller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics Tools 2(1), 1997.
+struct MoellerTrumbore {
+  struct Prepared {};
+
+  template <std::floating_point T>
+  [[nodiscard]] static constexpr Prepared prepare(const Ray<T>& /*ray*/) noexcept {
+    return {};
+  }
+
+  template <std::floating_point T>
+  [[nodiscard]] static std::optional<Hit<T>> intersect(const Ray<T>& ray, Prepared /*prepared*/, const Vec3<T>& v0,
+                                                       const Vec3<T>& v1, const Vec3<T>& v2) noexcept {
+    const Vec3<T> e1 = v1 - v0;
+    const Vec3<T> e2 = v2 - v0;
+    const Vec3<T> p = glm::cross(ray.direction, e2);
+    const T det = glm::dot(e1, p);
+    const T size = std::abs(det);
+    const T sign = std::copysign(T(1), det);
+    const Vec3<T> s = ray.origin - v0;
+    const Vec3<T> q = glm::cross(s, e1);
+    const T u = glm::dot(s, p) * sign;
+    const T v = glm::dot(ray.direction, q) * sign;
+    const bool inside = (u >= T(0)) & (v >= T(0)) & (u + v <= size) & (size > T(0));  // one branch, seldom taken
+    if (!inside) return std::nullopt;
+    const T t = glm::dot(e2, q) / det;
+    if (!(t >= ray.t_min && t <= ray.t_max) || is_degenerate(v0, v1, v2)) return std::nullopt;
+    const T scale = T(1) / size;
+    return Hit<T>{.t = t, .uv = {u * scale, v * scale}};
+  }
+
+  [[nodiscard]] friend constexpr bool operator==(const MoellerTrumbore&, const MoellerTrumbore&) noexcept = default;
+};
+
+/// The triangle test that no ray slips through: one that passes through an edge or a vertex of a closed mesh hits at
+/// least one of the triangles there.
+///
+/// The ray is sheared onto the axis in which it is longest, so that each vertex becomes a point in a plane, the same
+/// for all triangles that share it; the sides on which the ray passes the edges are then decided exactly. Winding is
+/// of no interest, hence the axes are not swapped to preserve it.
+///
+/// Ensures: two-sided; edges count as inside; t_min ≤ t ≤ t_max; no tolerance of any kind.
+/// Errors:  a NaN, a zero direction, and a triangle without area report no hit.
+/// Source:  Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+struct Watertight {
+  /// Along z the ray goes furthest; x and y are the other two axes, in cyclic order.
+  template <std::floating_point T>
+  struct Prepared {
+    int x = 1;
+    int y = 2;
+    int z = 0;
+    T shear_x = 0;
+    T shear_y = 0;
+    T scale_z = 1;
+  };
+
+  template <std::floating_point T>
+  [[nodiscard]] static Prepared<T> prepare(const Ray<T>& ray) noexcept {
+    const int z = max_axis(abs(ray.direction));
+    const int x = z == 2 ? 0 : z + 1;
+    const int y = x == 2 ? 0 : x + 1;
+    const T scale = T(1) / component(ray.direction, z);
+    return {x, y, z, component(ray.direction, x) * scale, component(ray.direction, y) * scale, scale};
+  }
+
+  template <std::floating_point T>
+  [[nodiscard]] static std::optional<Hit<T>> intersect(const Ray<T>& ray, const Prepared<T>& shear, const Vec3<T>& v0,
+                                                       const Vec3<T>& v1, const Vec3<T>& v2) noexcept {
+    const Vec3<T> a = project(v0 - ray.origin, shear);
+    const Vec3<T> b = project(v1 - ray.origin, shear);
+    const Vec3<T> c = project(v2 - ray.origin, shear);
+    // Twice the signed areas that the ray's point spans with the edges, each as the difference of two products.
+    const T u_plus = c.x * b.y;
+    const T v_plus = a.x * c.y;
+    const T w_plus = b.x * a.y;
+    const T u_minus = c.y * b.x;
+    const T v_minus = a.y * c.x;
+    const T w_minus = b.y * a.x;
+    const bool left = (u_plus < u_minus) | (v_plus < v_minus) | (w_plus < w_minus);
+    const bool right = (u_plus > u_minus) | (v_plus > v_minus) | (w_plus > w_minus);
+    if (left & right) return std::nullopt;
+    Vec3<T> areas{u_plus - u_minus, v_plus - v_minus, w_plus - w_minus};
+    const bool tied = (u_plus == u_minus) | (v_plus == v_minus) | (w_plus == w_minus);
+    if (tied && !settle_ties(a, b, c, areas)) return std::nullopt;
+    const T det = areas.x + areas.y + areas.z;
+    const T t = (areas.x * a.z + areas.y * b.z + areas.z * c.z) * shear.scale_z / det;
+    if (!(t >= ray.t_min && t <= ray.t_max) || is_degenerate(v0, v1, v2)) return std::nullopt;
+    const T scale = T(1) / det;
+    return Hit<T>{.t = t, .uv = {areas.y * scale, areas.z * scale}};
+  }
+
+  [[nodiscard]] friend constexpr bool operator==(const Watertight&, const Watertight&) noexcept = default;
+
+ private:
+  /// A vertex seen along the ray: x and y in the plane across it, z the depth.
+  template <std::floating_point T>
+  [[nodiscard]] GLINT_ALWAYS_INLINE static Vec3<T> project(const Vec3<T>& v, const Prepared<T>& shear) noexcept {
+    const T z = component(v, shear.z);
+    return {component(v, shear.x) - shear.shear_x * z, component(v, shear.y) - shear.shear_y * z, z};
+  }
+
+  /// Where rounded products tie, the exact areas decide. False where the ray passes outside.
+  template <std::floating_point T>
+  [[nodiscard]] GLINT_NO_INLINE static bool settle_ties(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c,
+                                                        Vec3<T>& areas) noexcept {
+    const auto u = exact_difference(c.x, b.y, c.y, b.x);
+    const auto v = exact_difference(a.x, c.y, a.y, c.x);
+    const auto w = exact_difference(b.x, a.y, b.y, a.x);
+    areas = {T(u), T(v), T(w)};
+    const bool left = u < 0 || v < 0 || w < 0;
+    const bool right = u > 0 || v > 0 || w > 0;
+    return !(left && right);
+  }
+};
+
+}  // namespace glint
