@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""Every header has its test and every test its header: include/glint/X.hpp and tests/X.test.cpp."""
+
+import source_tree
+
+# Headers without behavior of their own to test; what is said there is tested where it is done.
+NOTHING_TO_RUN = {
+    "glint.hpp": "includes the others; the consumer of two units builds it",
+    "version.hpp": "CMake reads it, and the consumers ask for it",
+    "core/config.hpp": "macros, used by every header",
+}
+ALONE = "// first, so the header proves it stands alone"
+
+
+def nothing_to_run(name):
+    return name in NOTHING_TO_RUN or name.split("/")[-1] == "concepts.hpp"  # laws are tested on the models
+
+
+def main():
+    report = source_tree.Report()
+    include, tests = source_tree.ROOT / "include/glint", source_tree.ROOT / "tests"
+    headers = {path.relative_to(include).as_posix(): path for path in source_tree.files("include/glint/*.hpp")}
+    mirrors = {
+        path.relative_to(tests).as_posix().removesuffix(".test.cpp") + ".hpp": path
+        for path in source_tree.files("tests/*.test.cpp")
+    }
+    for name in sorted(headers.keys() - mirrors.keys()):
+        if not nothing_to_run(name):
+            report.add(headers[name], 1, f"has no test: tests/{name.removesuffix('.hpp')}.test.cpp")
+    for name in sorted(mirrors.keys() - headers.keys()):
+        report.add(mirrors[name], 1, f"tests a header that does not exist: include/glint/{name}")
+    for name in sorted(mirrors.keys() & headers.keys()):
+        lines = mirrors[name].read_text().splitlines()
+        first = next(((n, line) for n, line in enumerate(lines, 1) if line.startswith("#include")), (1, ""))
+        if first[1] != f"#include <glint/{name}>  {ALONE}":
+            report.add(mirrors[name], first[0], f"must first say: #include <glint/{name}>  {ALONE}")
+    report.end(f"{len(mirrors)} tests mirror {len(headers)} headers")
+
+
+main()
