@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glint/camera/concepts.hpp>
+#include <glint/camera/view_frame.hpp>
+
+namespace glint {
+
+/// Parallel rays from a window.
+struct OrthographicRays {
+  Vec3<float> corner{-0.5F, -0.5F, 0.0F};  ///< the window's lower left corner
+  Vec3<float> across{1.0F, 0.0F, 0.0F};    ///< its lower edge
+  Vec3<float> upward{0.0F, 1.0F, 0.0F};    ///< its left edge
+  Vec3<float> direction{0.0F, 0.0F, -1.0F};
+
+  [[nodiscard]] Ray<float> ray(const Vec2<float>& film, const Vec2<float>& /*lens*/) const noexcept {
+    return {.origin = corner + film.x * across + film.y * upward, .direction = direction};
+  }
+};
+
+/// A camera without perspective. Its rays start in the plane through the eye: what lies behind it is not seen.
+///
+/// Units:    scene units; `height` is that of the view, its width is aspect · height.
+/// Requires: height > 0.
+/// Errors:   eye = target and an up along the view have defined results, see view_frame.
+struct Orthographic {
+  Vec3<float> eye{0.0F, 0.0F, 1.0F};
+  Vec3<float> target{0.0F, 0.0F, 0.0F};
+  Vec3<float> up{0.0F, 1.0F, 0.0F};
+  float height = 1;
+
+  /// Requires: aspect > 0.
+  [[nodiscard]] OrthographicRays rays(float aspect) const noexcept {
+    const Frame<double> view = view_frame(eye, target, up);
+    const Vec3<double> across = view.x * (static_cast<double>(height) * static_cast<double>(aspect));
+    const Vec3<double> upward = view.y * static_cast<double>(height);
+    return {.corner = Vec3<float>(Vec3<double>(eye) - 0.5 * (across + upward)),
+            .across = Vec3<float>(across),
+            .upward = Vec3<float>(upward),
+            .direction = Vec3<float>(-view.z)};
+  }
+
+  [[nodiscard]] friend bool operator==(const Orthographic&, const Orthographic&) noexcept = default;
+};
+
+static_assert(Camera<Orthographic>);
+
+}  // namespace glint

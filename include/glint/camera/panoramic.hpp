@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glint/camera/concepts.hpp>
+#include <glint/camera/view_frame.hpp>
+#include <glint/math/spherical.hpp>
+
+namespace glint {
+
+/// Rays from one point in all directions.
+struct PanoramicRays {
+  Vec3<float> eye{0.0F};
+  Frame<float> view{};
+
+  [[nodiscard]] Ray<float> ray(const Vec2<float>& film, const Vec2<float>& /*lens*/) const noexcept {
+    const Vec2<float> uv{film.x + 0.5F, 1 - film.y};  // u = 0 looks forward: that belongs in the middle
+    return {.origin = eye, .direction = view.to_world(equirectangular_to_direction(uv))};
+  }
+};
+
+/// All directions around the eye as one equirectangular image, best twice as wide as high: the target in the middle, up
+/// at the top, what lies to the right to the right.
+///
+/// Errors: eye = target and an up along the view have defined results, see view_frame.
+struct Panoramic {
+  Vec3<float> eye{0.0F, 0.0F, 1.0F};
+  Vec3<float> target{0.0F, 0.0F, 0.0F};
+  Vec3<float> up{0.0F, 1.0F, 0.0F};
+
+  [[nodiscard]] PanoramicRays rays(float /*aspect*/) const noexcept {
+    const Frame<double> view = view_frame(eye, target, up);
+    return {.eye = eye, .view = {Vec3<float>(view.x), Vec3<float>(view.y), Vec3<float>(view.z)}};
+  }
+
+  [[nodiscard]] friend bool operator==(const Panoramic&, const Panoramic&) noexcept = default;
+};
+
+static_assert(Camera<Panoramic>);
+
+}  // namespace glint
