@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <glint/bvh/build/reference.hpp>
+#include <glint/bvh/tree.hpp>
+
+namespace glint::detail {
+
+/// The part of a builder that all builders share: recursion, bound on the depth, forks, numbering.
+///
+/// A splitter decides and moves references:
+///
+///     std::optional<std::pair<Part, Part>> split(const Part&, std::size_t capacity, executor)
+///                                   nothing: make a leaf; else two parts of 1 to `capacity` references
+///     void write(const Part&, I* order)                          the indices of a leaf
+///
+/// Ensures: the depth is at most `max_depth`. Let L be the largest leaf and r the steps left. If n ≤ L · 2^r holds at
+/// a node, each of its children has at most the capacity L · 2^(r−1), so it holds there too, and at r = 0 the node fits
+/// a leaf. An equal split always stays within the capacity: ⌈n / 2⌉ ≤ L · 2^(r−1). It holds at the root, for L is
+/// enlarged to ⌈n / 2^max_depth⌉ if need be; by itself, n < 2^64 makes it hold for any L ≥ 1 and 64 steps.
+template <std::floating_point T, std::unsigned_integral I, typename Splitter, typename Executor>
+class Grower {
+ public:
+  Grower(Splitter& splitter, const Executor& executor, std::size_t count, std::size_t max_leaf_size, int max_depth)
+      : splitter_(splitter),
+        executor_(executor),
+        max_depth_(std::clamp(max_depth, 0, Tree<T, I>::max_depth)),
+        leaf_(std::max(std::max<std::size_t>(max_leaf_size, 1), shifted_up(count, max_depth_))),
+        nodes_(new Node[2 * count - 1]),  // not initialized: pages that stay unused cost nothing
+        order_(count) {}
+
+  [[nodiscard]] std::size_t max_leaf_size() const noexcept { return leaf_; }
+
+  /// Requires: called once; the part is not empty.
+  [[nodiscard]] Tree<T, I> grow(const Part<T>& root) && {
+    grow(root, 0, 0);
+    return numbered();
+  }
+
+ private:
+  struct Node {  // BinaryNode without initializers
+    std::array<T, 3> lower, upper;
+    I first, count;
+  };
+  static constexpr std::size_t fork_size = 4096;
+
+  static constexpr std::size_t shifted_up(std::size_t n, int bits) noexcept {
+    return bits >= 64 ? std::size_t(n != 0) : (n >> bits) + std::size_t((n & ((std::size_t{1} << bits) - 1)) != 0);
+  }
+  [[nodiscard]] std::size_t capacity(int depth) const noexcept {
+    const int steps = max_depth_ - depth - 1;
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+    return steps >= 64 || leaf_ > (most >> steps) ? most : leaf_ << steps;
+  }
+
+  void grow(const Part<T>& part, std::size_t at, int depth) {
+    std::optional<std::pair<Part<T>, Part<T>>> children;
+    if (part.count > 1 && depth < max_depth_) children = splitter_.split(part, capacity(depth), executor_);
+    const std::size_t first = children ? used_.fetch_add(2, std::memory_order_relaxed) : part.first;
+    const Aabb<T> box = part.box.box();
+    nodes_[at] = {{box.lower.x, box.lower.y, box.lower.z},
+                  {box.upper.x, box.upper.y, box.upper.z},
+                  I(first),
+                  children ? I(0) : I(part.count)};
+    if (!children) return splitter_.write(part, order_.data() + part.first);
+    const auto left = [&] { grow(children->first, first, depth + 1); };
+    const auto right = [&] { grow(children->second, first + 1, depth + 1); };
+    if (part.count >= fork_size) return executor_.invoke(left, right);
+    left();
+    right();
+  }
+
+  /// Threads took nodes as they came; the tree numbers them depth first, which is also good for caches.
+  [[nodiscard]] Tree<T, I> numbered() {
+    Tree<T, I> tree;
+    tree.order = std::move(order_);
+    tree.nodes.reserve(used_);
+    tree.nodes.push_back(node(0));
+    struct Pending {
+      std::size_t node;
+      int depth;
+    };
+    std::vector<Pending> pending{{0, 0}};
+    while (!pending.empty()) {
+      const auto [at, depth] = pending.back();
+      pending.pop_back();
+      tree.depth = std::max(tree.depth, depth);
+      if (tree.nodes[at].is_leaf()) continue;
+      const std::size_t children = tree.nodes[at].first;
+      const std::size_t first = tree.nodes.size();
+      tree.nodes[at].first = I(first);
+      tree.nodes.push_back(node(children));
+      tree.nodes.push_back(node(children + 1));
+      pending.push_back({first + 1, depth + 1});
+      pending.push_back({first, depth + 1});
+    }
+    return tree;
+  }
+  [[nodiscard]] BinaryNode<T, I> node(std::size_t i) const noexcept {
+    const Node& n = nodes_[i];
+    return {{{n.lower[0], n.lower[1], n.lower[2]}, {n.upper[0], n.upper[1], n.upper[2]}}, n.first, n.count};
+  }
+
+  Splitter& splitter_;
+  const Executor& executor_;
+  int max_depth_;
+  std::size_t leaf_;
+  std::unique_ptr<Node[]> nodes_;
+  std::vector<I> order_;
+  std::atomic<std::size_t> used_{1};
+};
+
+/// A tree over a set, by references that `make_splitter(references, root, max_leaf_size)` knows how to split.
+template <BoundedSet S, typename Executor, typename MakeSplitter>
+[[nodiscard]] Tree<typename S::Scalar, typename S::Index> grow_tree(const S& set, const Executor& executor,
+                                                                    const MakeSplitter& make_splitter,
+                                                                    std::size_t max_leaf_size, int max_depth) {
+  using T = typename S::Scalar;
+  using I = typename S::Index;
+  std::vector<Reference<T>> references = gather(set, executor);
+  const std::size_t left_out = set.size() - references.size();
+  Tree<T, I> tree;
+  if (!references.empty()) {
+    const Part<T> root = whole<T>(references, executor);
+    auto splitter = make_splitter(references);
+    Grower<T, I, decltype(splitter), Executor> grower(splitter, executor, root.count, max_leaf_size, max_depth);
+    splitter.max_leaf_size = grower.max_leaf_size();
+    tree = std::move(grower).grow(root);
+  }
+  tree.left_out = left_out;
+  return tree;
+}
+
+}  // namespace glint::detail

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <glint/core/config.hpp>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace glint {
+
+/// The lanes of T that fit a machine register; 1 where the compiler has no vector extensions.
+#if !defined(__GNUC__)
+template <typename T>
+inline constexpr int register_lanes = 1;
+#elif defined(__AVX512F__)
+template <typename T>
+inline constexpr int register_lanes = 64 / int(sizeof(T));
+#elif defined(__AVX__)
+template <typename T>
+inline constexpr int register_lanes = 32 / int(sizeof(T));
+#else
+template <typename T>
+inline constexpr int register_lanes = 16 / int(sizeof(T));
+#endif
+
+namespace detail {
+
+/// W lanes that are computed by one instruction: a vector of the compiler's, or a plain number.
+template <typename T, int W>
+struct WordOf {
+#if defined(__GNUC__)
+  typedef T type __attribute__((vector_size(sizeof(T) * std::size_t(W))));
+#endif
+};
+template <typename T>
+struct WordOf<T, 1> {
+  using type = T;
+};
+
+/// One bit a lane of a comparison. The extensions have no word for it, so this takes intrinsics where there are some.
+[[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t lane_bits(bool mask) noexcept {
+  return std::uint32_t(mask);
+}
+
+#if defined(__GNUC__)
+template <typename Mask>
+[[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t lane_bits(const Mask& mask) noexcept {
+  constexpr std::size_t bytes = sizeof(Mask);
+  constexpr std::size_t lane = sizeof(mask[0]);
+#if defined(__AVX512DQ__)
+  if constexpr (bytes == 64 && lane == 4) return std::uint32_t(_mm512_movepi32_mask(std::bit_cast<__m512i>(mask)));
+  if constexpr (bytes == 64 && lane == 8) return std::uint32_t(_mm512_movepi64_mask(std::bit_cast<__m512i>(mask)));
+#endif
+#if defined(__AVX__)
+  if constexpr (bytes == 32 && lane == 4) return std::uint32_t(_mm256_movemask_ps(std::bit_cast<__m256>(mask)));
+  if constexpr (bytes == 32 && lane == 8) return std::uint32_t(_mm256_movemask_pd(std::bit_cast<__m256d>(mask)));
+#endif
+#if defined(__SSE2__)
+  if constexpr (bytes == 16 && lane == 4) return std::uint32_t(_mm_movemask_ps(std::bit_cast<__m128>(mask)));
+  if constexpr (bytes == 16 && lane == 8) return std::uint32_t(_mm_movemask_pd(std::bit_cast<__m128d>(mask)));
+#endif
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < bytes / lane; ++i) bits |= std::uint32_t(mask[i] != 0) << i;
+  return bits;
+}
+#endif
+
+template <int W, typename Word>
+GLINT_ALWAYS_INLINE void truncate_word(const Word& word, std::int32_t* to) noexcept {
+#if defined(__GNUC__)
+  if constexpr (W > 1) {
+    const auto whole = __builtin_convertvector(word, typename WordOf<std::int32_t, W>::type);
+    std::memcpy(to, &whole, sizeof(whole));
+    return;
+  }
+#endif
+  if constexpr (W == 1) *to = std::int32_t(word);
+}
+
+}  // namespace detail
+
+/// N lanes of T, computed W at a time: by vector registers, or with W = 1 by plain arithmetic on any compiler.
+///
+/// Each lane is rounded as the scalar operation would be, so all W give the same results.
+///
+/// Requires: N and W powers of two, N ≤ 32.
+template <typename T, int N, int W = (N < register_lanes<T> ? N : register_lanes<T>)>
+struct Pack {
+  static_assert(N % W == 0 && std::has_single_bit(unsigned(N)) && N <= 32);
+  using Word = typename detail::WordOf<T, W>::type;
+  static constexpr int size = N;
+  static constexpr std::size_t words = std::size_t(N / W);
+
+  std::array<Word, words> word;
+
+  [[nodiscard]] GLINT_ALWAYS_INLINE static Pack broadcast(T value) noexcept {
+    Pack p;
+    for (Word& w : p.word) w = Word{} + value;
+    return p;
+  }
+  /// N numbers from memory, aligned as T.
+  [[nodiscard]] GLINT_ALWAYS_INLINE static Pack load(const T* from) noexcept {
+    Pack p;
+    std::memcpy(&p.word, from, sizeof(p.word));
+    return p;
+  }
+  GLINT_ALWAYS_INLINE void store(T* to) const noexcept { std::memcpy(to, &word, sizeof(word)); }
+
+  [[nodiscard]] GLINT_ALWAYS_INLINE T operator[](int lane) const noexcept {
+    if constexpr (W == 1)
+      return word[std::size_t(lane)];
+    else
+      return word[std::size_t(lane / W)][lane % W];
+  }
+  GLINT_ALWAYS_INLINE void set(int lane, T value) noexcept {
+    if constexpr (W == 1)
+      word[std::size_t(lane)] = value;
+    else
+      word[std::size_t(lane / W)][lane % W] = value;
+  }
+
+  GLINT_ALWAYS_INLINE friend Pack operator+(const Pack& a, const Pack& b) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] + b.word[i];
+    return p;
+  }
+  GLINT_ALWAYS_INLINE friend Pack operator-(const Pack& a, const Pack& b) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] - b.word[i];
+    return p;
+  }
+  GLINT_ALWAYS_INLINE friend Pack operator*(const Pack& a, const Pack& b) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] * b.word[i];
+    return p;
+  }
+  GLINT_ALWAYS_INLINE friend Pack operator/(const Pack& a, const Pack& b) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] / b.word[i];
+    return p;
+  }
+  /// The smaller lanes; `b` where either is NaN: the candidate comes first, what is known second.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend Pack min(const Pack& a, const Pack& b) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] < b.word[i] ? a.word[i] : b.word[i];
+    return p;
+  }
+  /// The larger lanes; `b` where either is NaN.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend Pack max(const Pack& a, const Pack& b) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] > b.word[i] ? a.word[i] : b.word[i];
+    return p;
+  }
+  /// Each lane rounded toward zero. Requires: all lanes representable.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend std::array<std::int32_t, std::size_t(N)> truncated(const Pack& a) noexcept {
+    std::array<std::int32_t, std::size_t(N)> result;
+    for (std::size_t i = 0; i < words; ++i) detail::truncate_word<W>(a.word[i], result.data() + i * std::size_t(W));
+    return result;
+  }
+  /// Bit i is set where a[i] ≤ b[i]; clear where either is NaN.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend std::uint32_t less_equal(const Pack& a, const Pack& b) noexcept {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < words; ++i) bits |= detail::lane_bits(a.word[i] <= b.word[i]) << (i * std::size_t(W));
+    return bits;
+  }
+  /// Bit i is set where a[i] < b[i]; clear where either is NaN.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend std::uint32_t less(const Pack& a, const Pack& b) noexcept {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < words; ++i) bits |= detail::lane_bits(a.word[i] < b.word[i]) << (i * std::size_t(W));
+    return bits;
+  }
+};
+
+}  // namespace glint
