@@ -6,7 +6,7 @@ if(says STREQUAL "")
   message(FATAL_ERROR "${CASE} has no line '// Says: …'")
 endif()
 
-list(TRANSFORM INCLUDE_DIRS PREPEND -isystem)
+list(TRANSFORM INCLUDE_DIRS PREPEND -idirafter)  # -I/usr/include would hide the standard library from itself
 set(compile ${COMPILER} -std=c++20 -fsyntax-only ${INCLUDE_DIRS} ${CASE})
 execute_process(COMMAND ${compile} RESULT_VARIABLE plain ERROR_VARIABLE plain_words)
 if(NOT plain EQUAL 0)
