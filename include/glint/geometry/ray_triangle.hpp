@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <optional>
@@ -52,8 +53,9 @@ struct MoellerTrumbore {
     const Vec3<T> q = glm::cross(s, e1);
     const T u = glm::dot(s, p) * sign;
     const T v = glm::dot(ray.direction, q) * sign;
-    const bool inside = (u >= T(0)) & (v >= T(0)) & (u + v <= size) & (size > T(0));  // one branch, seldom taken
-    if (!inside) return std::nullopt;
+    // One branch that is seldom taken instead of three that are hard to foresee; a NaN stays in the first place.
+    const T least_weight = std::min(std::min(size - (u + v), u), v);
+    if (!(least_weight >= T(0) && size > T(0))) return std::nullopt;
     const T t = glm::dot(e2, q) / det;
     if (!(t >= ray.t_min && t <= ray.t_max) || is_degenerate(v0, v1, v2)) return std::nullopt;
     const T scale = T(1) / size;
