@@ -18,11 +18,15 @@ FORBIDDEN = [
     (re.compile(r"\bstd::(exit|abort|terminate|quick_exit)\b|[^\w.:](exit|abort)\s*\("), "ends the program"),
     (re.compile(r"\bstd::(thread|jthread|async)\b"), "starts threads"),
     (re.compile(r"\bthread_local\b"), "has state of the whole program"),
-    (re.compile(r"^(static|inline)\s+(?!constexpr|const\b|consteval)[\w:<>, ]+\s\w+(\{|\s*=|;)"), "has a global variable"),
     (re.compile(r"\bvirtual\b"), "has a virtual function"),
     (re.compile(r"(?<!std::)\b(?!get_if\b)(get|compute)_[a-z]"), "names a function get_ or compute_"),
     (re.compile(r"\busing namespace\b(?!.*_literals)"), "opens a namespace"),
 ]
+# A variable at the left margin that is not constant.
+GLOBAL = re.compile(
+    r"(?!(using|return|template|typedef|struct|class|enum|union|namespace|friend|concept|requires)\b)"
+    r"(?!.*\b(const|constexpr|consteval|concept)\b)[A-Za-z_][\w:<>, *&]*\s[*&]?\w+(\{.*\}|\s*=[^=].*)?;"
+)
 STRING = re.compile(r'"(\\.|[^"\\])*"')
 
 
@@ -37,6 +41,8 @@ def check_header(report, header, lines):
         if directive and not MAY_USE_THE_PREPROCESSOR.fullmatch(name):
             report.add(header, number, f"has #{directive[1]}, which only core/config.hpp and simd/ may")
         code = STRING.sub('""', line).split("//")[0]
+        if GLOBAL.match(code):
+            report.add(header, number, "has a global variable")
         for pattern, sentence in FORBIDDEN:
             if pattern.search(code):
                 report.add(header, number, sentence)
