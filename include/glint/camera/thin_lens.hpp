@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cmath>
-
 #include <glm/geometric.hpp>
 
 #include <glint/camera/concepts.hpp>
 #include <glint/camera/perspective.hpp>
 #include <glint/math/constants.hpp>
+#include <glint/math/warp.hpp>
 
 namespace glint {
 
@@ -18,9 +17,8 @@ struct ThinLensRays {
 
   /// The point of the lens is uniform by area for a uniform `lens`.
   [[nodiscard]] Ray<float> ray(const Vec2<float>& film, const Vec2<float>& lens) const noexcept {
-    const float r = std::sqrt(lens.x);
-    const float phi = 2 * pi<float> * lens.y;
-    const Vec3<float> shift = (r * std::cos(phi)) * lens_x + (r * std::sin(phi)) * lens_y;
+    const Vec2<float> at = concentric_disk(lens);
+    const Vec3<float> shift = at.x * lens_x + at.y * lens_y;
     const Vec3<float> target = focus.corner + film.x * focus.across + film.y * focus.upward;
     return {.origin = focus.eye + shift, .direction = glm::normalize(target - shift)};
   }
