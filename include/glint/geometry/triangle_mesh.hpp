@@ -21,7 +21,8 @@ namespace glint {
 
 /// A set of triangles that share vertices: a view of the user's own buffers, tightly packed or not, nothing copied.
 ///
-/// Shapes:   `normals` and `uvs` are empty, or one a vertex. A zero normal says that the vertex has none.
+/// Shapes:   `normals` and `uvs` are empty, or one a vertex. A zero normal or a missing_uv says that the vertex has
+///           none.
 /// Requires: the buffers outlive the view; all indices are less than the number of vertices.
 /// Ensures:  the geometric normal is on the side that sees the vertices counterclockwise.
 template <std::floating_point T, std::unsigned_integral VertexIndex = std::uint32_t, typename Intersector = Watertight>
@@ -79,7 +80,9 @@ struct TriangleMesh {
     }
     if (!uvs.empty()) {
       const auto [uv0, uv1, uv2] = corners(uvs, i);
-      s.uv = uv0 * w0 + uv1 * w1 + uv2 * w2;
+      const Vec2<T> uv = uv0 * w0 + uv1 * w1 + uv2 * w2;
+      if (std::isnan(uv.x)) return s;
+      s.uv = uv;
       s.tangent = tangent(shape, uv1 - uv0, uv2 - uv0);
     }
     return s;

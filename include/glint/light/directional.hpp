@@ -17,9 +17,13 @@ struct DirectionalLight {
   Vec3<float> direction{0.0F, -1.0F, 0.0F};
   Rgb irradiance{1};
 
-  [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& /*from*/, const Vec2<float>& /*u*/) const noexcept {
-    return LightSample{
-        .wi = -glm::normalize(direction), .distance = infinity<float>, .radiance = irradiance, .pdf = 1, .is_delta = true};
+  [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& /*from*/,
+                                                  const Vec2<float>& /*u*/) const noexcept {
+    return LightSample{.wi = -glm::normalize(direction),
+                       .distance = infinity<float>,
+                       .radiance = irradiance,
+                       .pdf = 1,
+                       .is_delta = true};
   }
 
   /// What falls on the disk around the scene.

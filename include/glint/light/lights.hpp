@@ -31,7 +31,8 @@ Lights(std::vector<L>, std::vector<std::uint32_t>) -> Lights<L>;
 
 /// The light that is not there: for scenes without lights.
 struct Darkness {
-  [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& /*from*/, const Vec2<float>& /*u*/) const noexcept {
+  [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& /*from*/,
+                                                  const Vec2<float>& /*u*/) const noexcept {
     return std::nullopt;
   }
   [[nodiscard]] Rgb power(const Aabb<float>& /*scene*/) const noexcept { return {}; }

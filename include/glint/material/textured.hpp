@@ -10,7 +10,9 @@ namespace glint {
 
 /// A BSDF with a color that a texture can stand for.
 template <typename B>
-concept ReflectingBsdf = Bsdf<B> && requires(B& bsdf, const Rgb& color) { bsdf.reflectance = color; };
+concept ReflectingBsdf = Bsdf<B> && requires(B& bsdf, const Rgb& color) {
+  bsdf.reflectance = color;
+};
 
 /// A BSDF whose `reflectance` comes from a texture, by the surface's texture coordinates.
 template <ReflectingBsdf B, Texture T>

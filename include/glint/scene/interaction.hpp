@@ -15,8 +15,8 @@ namespace glint {
 template <Bsdf B>
 struct Interaction {
   Surface surface;
-  Frame<float> frame;                             ///< the shading frame: z is the shading normal
-  Vec3<float> wo{0.0F, 0.0F, 1.0F};               ///< back along the ray, unit length, world space
+  Frame<float> frame;                ///< the shading frame: z is the shading normal
+  Vec3<float> wo{0.0F, 0.0F, 1.0F};  ///< back along the ray, unit length, world space
   B bsdf{};
   std::uint64_t primitive = none<std::uint64_t>;  ///< the geometry's index
   std::uint32_t light = none<std::uint32_t>;      ///< the light that stands on this primitive

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include <glint/color/compare.hpp>
+#include <glint/io/image.hpp>
+
+#include "commands.hpp"
+
+namespace {
+
+struct CompareArguments {
+  std::filesystem::path image;
+  std::filesystem::path reference;
+  std::filesystem::path difference_image;
+  double max_rmse = std::numeric_limits<double>::infinity();
+  double max_relmse = std::numeric_limits<double>::infinity();
+  double max_mean_error = std::numeric_limits<double>::infinity();
+  double max_share = std::numeric_limits<double>::infinity();
+};
+
+/// |a − b|, channel by channel.
+glint::Image absolute_difference(const glint::Image& a, const glint::Image& b) {
+  glint::Image result(a.size());
+  for (std::size_t i = 0; i < result.pixels().size(); ++i) {
+    const glint::Rgb gap = a.pixels()[i] - b.pixels()[i];
+    result.pixels()[i] = {std::abs(gap.r), std::abs(gap.g), std::abs(gap.b)};
+  }
+  return result;
+}
+
+/// Prints one figure and, where there is a limit, whether it holds. NaN holds no limit.
+bool report(const char* name, double value, double tested, double limit) {
+  const bool holds = tested <= limit || std::isinf(limit);
+  std::printf("%-12s %.6g", name, value);
+  if (!std::isinf(limit)) std::printf("  %s the limit of %g", holds ? "within" : "OVER", limit);
+  std::printf("\n");
+  return holds;
+}
+
+int compare_images(const CompareArguments& arguments) {
+  const glint::Image image = glint::read_image(arguments.image);
+  const glint::Image reference = glint::read_image(arguments.reference);
+  const auto difference = glint::compare(image, reference);
+  if (!difference) {
+    throw glint::IoError(arguments.image,
+                         "has " + std::to_string(image.width()) + "x" + std::to_string(image.height()) +
+                             " pixels, but " + arguments.reference.string() + " has " +
+                             std::to_string(reference.width()) + "x" + std::to_string(reference.height()));
+  }
+  bool holds =
+      report("mean ratio", difference->mean_ratio, std::abs(difference->mean_ratio - 1), arguments.max_mean_error);
+  std::printf("%-12s %.6g\n", "MSE", difference->mse);
+  holds &= report("RMSE", difference->rmse, difference->rmse, arguments.max_rmse);
+  holds &= report("relMSE", difference->relmse, difference->relmse, arguments.max_relmse);
+  holds &= report("off > 0.01", difference->share_above, difference->share_above, arguments.max_share);
+  std::printf("%-12s %.6g\n", "largest", difference->max_abs);
+  if (!arguments.difference_image.empty()) {
+    glint::write_image(absolute_difference(image, reference), arguments.difference_image);
+  }
+  return holds ? 0 : 1;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("compare", "Measure how far an image is from a reference");
+  const auto arguments = std::make_shared<CompareArguments>();
+  command->add_option("A", arguments->image, "The image")->required();
+  command->add_option("B", arguments->reference, "Its reference")->required();
+  command->add_option("--max-rmse", arguments->max_rmse, "Fail above this root mean squared error");
+  command->add_option("--max-relmse", arguments->max_relmse,
+                      "Fail above this relative error: the mean of (A-B)^2 / (B^2 + 0.01)");
+  command->add_option("--max-mean-error", arguments->max_mean_error, "Fail where |mean A / mean B - 1| is above this");
+  command->add_option("--max-share", arguments->max_share,
+                      "Fail above this share of pixels with a channel off by more than 0.01");
+  command->add_option("--difference", arguments->difference_image, "Write |A - B| as an image: .exr, .hdr or .png");
+  command->callback([arguments, &exit_code] { exit_code = compare_images(*arguments); });
+}

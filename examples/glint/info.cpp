@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <glint/bvh/build/binned_sah.hpp>
+#include <glint/bvh/pass/statistics.hpp>
+#include <glint/color/rgb.hpp>
+#include <glint/geometry/triangle_mesh.hpp>
+#include <glint/io/image.hpp>
+#include <glint/io/mesh_obj.hpp>
+#include <glint/io/scene_json.hpp>
+
+#include "commands.hpp"
+
+namespace {
+
+void tell_box(const glint::Aabb<float>& box) {
+  if (glint::is_empty(box)) {
+    std::printf("%-14s empty\n", "bounds");
+    return;
+  }
+  std::printf("%-14s (%g, %g, %g) to (%g, %g, %g)\n", "bounds", static_cast<double>(box.lower.x),
+              static_cast<double>(box.lower.y), static_cast<double>(box.lower.z), static_cast<double>(box.upper.x),
+              static_cast<double>(box.upper.y), static_cast<double>(box.upper.z));
+}
+
+void tell_tree(const glint::TreeStatistics& tree) {
+  std::printf("%-14s %zu nodes, %zu leaves, depth %d, SAH cost %.2f\n", "tree", tree.nodes, tree.leaves, tree.depth,
+              tree.sah_cost);
+}
+
+void tell_image(const std::filesystem::path& path) {
+  const glint::Image image = glint::read_image(path);
+  glint::Rgb lowest{glint::infinity<float>};
+  glint::Rgb highest{-glint::infinity<float>};
+  double sum[3] = {};
+  std::uint64_t broken = 0;
+  for (const glint::Rgb& c : image.pixels()) {
+    if (!glint::is_finite(c)) {
+      ++broken;
+      continue;
+    }
+    lowest = {std::min(lowest.r, c.r), std::min(lowest.g, c.g), std::min(lowest.b, c.b)};
+    highest = {std::max(highest.r, c.r), std::max(highest.g, c.g), std::max(highest.b, c.b)};
+    sum[0] += static_cast<double>(c.r);
+    sum[1] += static_cast<double>(c.g);
+    sum[2] += static_cast<double>(c.b);
+  }
+  const double n = static_cast<double>(std::max<std::uint64_t>(1, image.pixels().size() - broken));
+  std::printf("%-14s %dx%d pixels\n", "image", image.width(), image.height());
+  std::printf("%-14s %.6g %.6g %.6g\n", "mean", sum[0] / n, sum[1] / n, sum[2] / n);
+  std::printf("%-14s %g %g %g\n", "lowest", static_cast<double>(lowest.r), static_cast<double>(lowest.g),
+              static_cast<double>(lowest.b));
+  std::printf("%-14s %g %g %g\n", "highest", static_cast<double>(highest.r), static_cast<double>(highest.g),
+              static_cast<double>(highest.b));
+  if (broken != 0) std::printf("%-14s %llu pixels\n", "not finite", static_cast<unsigned long long>(broken));
+}
+
+void tell_mesh(const std::filesystem::path& path) {
+  const glint::ObjMesh obj = glint::read_obj(path);
+  for (const std::string& warning : obj.warnings) std::fprintf(stderr, "glint: warning: %s\n", warning.c_str());
+  const auto mesh = glint::view(obj.mesh);
+  std::printf("%-14s %zu triangles, %zu vertices%s%s, %zu materials\n", "mesh", obj.mesh.indices.size() / 3,
+              obj.mesh.positions.size(), obj.mesh.normals.empty() ? "" : ", normals",
+              obj.mesh.uvs.empty() ? "" : ", texture coordinates", obj.materials.size());
+  const auto tree = glint::BinnedSah{}.build(mesh);
+  tell_box(tree.nodes.empty() ? glint::Aabb<float>{} : tree.nodes.front().bounds);
+  tell_tree(glint::statistics(tree));
+  if (tree.left_out != 0) std::printf("%-14s %zu triangles without a finite box\n", "left out", tree.left_out);
+}
+
+void tell_scene(const std::filesystem::path& path) {
+  const glint::SceneFile scene = glint::read_scene(path);
+  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "glint: warning: %s\n", warning.c_str());
+  std::printf("%-14s %zu triangles, %zu spheres, %zu disks, %zu rectangles\n", "scene", scene.triangle_count(),
+              scene.spheres.size(), scene.disks.size(), scene.quads.size());
+  std::printf("%-14s %zu\n%-14s %zu\n", "materials", scene.materials.size(), "lights", scene.lights.size());
+  std::printf("%-14s %dx%d, %d samples a pixel\n", "film", scene.film.resolution.x, scene.film.resolution.y,
+              scene.integrator.samples);
+  const auto tree = glint::BinnedSah{}.build(scene.shapes());
+  tell_box(tree.nodes.empty() ? glint::Aabb<float>{} : tree.nodes.front().bounds);
+  tell_tree(glint::statistics(tree));
+  for (const std::filesystem::path& input : scene.inputs) std::printf("%-14s %s\n", "reads", input.string().c_str());
+}
+
+void tell(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (extension == ".json") {
+    tell_scene(path);
+  } else if (extension == ".obj") {
+    tell_mesh(path);
+  } else {
+    tell_image(path);
+  }
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("info", "Say what is in a scene, a mesh or an image");
+  const auto path = std::make_shared<std::filesystem::path>();
+  command->add_option("FILE", *path, "A .json scene, an .obj mesh, or an image")->required();
+  command->callback([path, &exit_code] {
+    tell(*path);
+    exit_code = 0;
+  });
+}

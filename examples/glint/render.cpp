@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <glint/core/tbb_executor.hpp>
+#include <glint/film/film.hpp>
+#include <glint/io/image.hpp>
+#include <glint/io/scene_json.hpp>
+#include <glint/render/render.hpp>
+
+#include "commands.hpp"
+#include "progress.hpp"
+
+namespace {
+
+constexpr int interrupted = 130;
+
+struct RenderArguments {
+  std::filesystem::path scene;
+  std::vector<std::filesystem::path> outputs;
+  glint::SceneReadOptions reading;
+  std::optional<int> samples;
+  std::optional<std::uint64_t> seed;
+  std::string resolution;
+  int threads = 0;
+  int tile_size = 32;
+  float exposure = 0;
+  bool no_png = false;
+  bool quiet = false;
+};
+
+/// What Ctrl-C stops. A signal handler may set nothing but such a flag.
+volatile std::sig_atomic_t interrupt_requested = 0;
+void on_interrupt(int /*signal*/) {
+  interrupt_requested = 1;
+}
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string result = path.extension().string();
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return result;
+}
+
+/// The files to write: those asked for, or SCENE.exr here; and a PNG beside an EXR that has none.
+std::vector<std::filesystem::path> output_files(const RenderArguments& arguments) {
+  std::vector<std::filesystem::path> result = arguments.outputs;
+  if (result.empty()) result.push_back(arguments.scene.filename().replace_extension(".exr"));
+  const auto is_png = [](const auto& path) { return extension_of(path) == ".png"; };
+  if (!arguments.no_png && std::none_of(result.begin(), result.end(), is_png)) {
+    const auto exr =
+        std::find_if(result.begin(), result.end(), [](const auto& p) { return extension_of(p) == ".exr"; });
+    if (exr != result.end()) result.push_back(std::filesystem::path(*exr).replace_extension(".png"));
+  }
+  return result;
+}
+
+/// Finds out before the long work whether its result can be written.
+void require_writable(const std::filesystem::path& output, const glint::SceneFile& scene) {
+  const std::string extension = extension_of(output);
+  if (extension != ".exr" && extension != ".png" && extension != ".hdr") {
+    throw glint::IoError(output, "cannot be written as an image: expected .exr, .hdr or .png");
+  }
+  for (const std::filesystem::path& input : scene.inputs) {
+    std::error_code none_there;
+    if (std::filesystem::equivalent(input, output, none_there)) {
+      throw glint::IoError(output, "is an input of the scene: name another output");
+    }
+  }
+  const glint::FileReplacement trial(output);
+}
+
+glint::Vec2i parse_resolution(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 || width > 65536 ||
+      height > 65536) {
+    throw CLI::ValidationError("--resolution", "found \"" + text + "\", expected WxH, each from 1 to 65536");
+  }
+  return {width, height};
+}
+
+glint::SceneFile read_scene(const RenderArguments& arguments) {
+  glint::SceneFile scene = glint::read_scene(arguments.scene, arguments.reading);
+  if (arguments.samples) scene.integrator.samples = *arguments.samples;
+  if (arguments.seed) scene.sampler.seed = *arguments.seed;
+  if (!arguments.resolution.empty()) scene.film.resolution = parse_resolution(arguments.resolution);
+  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "glint: warning: %s\n", warning.c_str());
+  return scene;
+}
+
+struct Rendering {
+  glint::Image image;
+  glint::RenderReport report;
+};
+
+Rendering render_scene(const glint::SceneFile& file, const RenderArguments& arguments,
+                       const glint::TbbExecutor& executor) {
+  const auto scene = glint::scene_of(file, executor);
+  glint::Film<glint::SceneFilter> film(file.film.resolution, file.film.filter);
+  std::stop_source stop;
+  ProgressDisplay display;
+  glint::RenderOptions options{.samples = file.integrator.samples, .tile_size = arguments.tile_size};
+  options.stop = stop.get_token();
+  options.progress = [&](const glint::RenderProgress& progress) {
+    if (interrupt_requested != 0) stop.request_stop();
+    if (!arguments.quiet) display(progress);
+  };
+  const auto sequence = glint::sequence_of(file.sampler, file.integrator.samples);
+  const auto report = file.integrator.integrator.visit([&](const auto& integrator) {
+    return glint::render(scene, file.camera, integrator, film, options, executor, sequence);
+  });
+  return {film.develop(executor), report};
+}
+
+void tell(const glint::SceneFile& scene, const RenderArguments& arguments, const glint::RenderReport& report,
+          double loading_seconds, const std::vector<std::filesystem::path>& outputs) {
+  if (report.dropped != 0) {
+    std::fprintf(stderr, "glint: warning: %llu samples were not finite and left out\n",
+                 static_cast<unsigned long long>(report.dropped));
+  }
+  if (arguments.quiet) return;
+  std::printf("%dx%d, %d samples a pixel, in %s (%.2f s before the first sample)\n", scene.film.resolution.x,
+              scene.film.resolution.y, scene.integrator.samples, clock_time(report.seconds).c_str(), loading_seconds);
+  std::printf("%.2f M samples/s, %.2f M rays/s\n", static_cast<double>(report.samples) / report.seconds * 1e-6,
+              static_cast<double>(report.rays) / report.seconds * 1e-6);
+  for (const std::filesystem::path& output : outputs) {
+    std::printf("wrote %s\n", std::filesystem::absolute(output).lexically_normal().string().c_str());
+  }
+}
+
+int render_file(const RenderArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const glint::SceneFile scene = read_scene(arguments);
+  const auto outputs = output_files(arguments);
+  for (const std::filesystem::path& output : outputs) require_writable(output, scene);
+  const auto executor = arguments.threads > 0 ? std::make_unique<glint::TbbExecutor>(arguments.threads)
+                                              : std::make_unique<glint::TbbExecutor>();
+  std::signal(SIGINT, on_interrupt);
+  const auto [image, report] = render_scene(scene, arguments, *executor);
+  if (!report.complete) {
+    std::fprintf(stderr, "\nglint: interrupted, nothing written\n");
+    return interrupted;
+  }
+  for (const std::filesystem::path& output : outputs) {
+    if (extension_of(output) == ".png") {
+      glint::write_png(image, output, {.exposure_stops = arguments.exposure});
+    } else {
+      glint::write_image(image, output);
+    }
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  tell(scene, arguments, report, std::max(0.0, seconds - report.seconds), outputs);
+  return 0;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("render", "Render a JSON scene to EXR and PNG");
+  const auto a = std::make_shared<RenderArguments>();
+  command->add_option("SCENE", a->scene, "The scene, JSON")->required();
+  command->add_option("-o,--output", a->outputs, "Write to this file: .exr, .hdr or .png; may be given several times")
+      ->allow_extra_args(false);
+  command->add_option("--spp", a->samples, "Samples a pixel")->check(CLI::Range(1, 1 << 24));
+  command->add_option("--seed", a->seed, "Another seed, other noise");
+  command->add_option("--threads", a->threads, "Threads; all cores by default")->check(CLI::Range(1, 4096));
+  command->add_option("--resolution", a->resolution, "Image size, as 640x480");
+  command->add_option("--integrator", a->reading.integrator, "Replace the scene's integrator: path, intersection_test");
+  command->add_option("--override", a->reading.overrides, "JSON merged into the scene; may be given several times")
+      ->allow_extra_args(false);
+  command->add_option("--exposure", a->exposure, "Stops by which the PNG is brightened")->check(CLI::Range(-64, 64));
+  command->add_option("--tile-size", a->tile_size, "Edge of a thread's share of the image, in pixels")
+      ->check(CLI::Range(1, 65536));
+  command->add_flag("--no-png", a->no_png, "Write no PNG beside the EXR");
+  command->add_flag("--strict", a->reading.strict, "Unknown keys in the scene are errors");
+  command->add_flag("--quiet", a->quiet, "Print nothing but warnings and errors");
+  command->footer("Without -o, writes SCENE.exr and SCENE.png into the working directory.");
+  command->callback([a, &exit_code] { exit_code = render_file(*a); });
+}

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <glint/camera/orthographic.hpp>
+#include <glint/camera/perspective.hpp>
+#include <glint/camera/thin_lens.hpp>
+#include <glint/core/one_of.hpp>
+#include <glint/film/filter.hpp>
+#include <glint/integrator/intersection_test.hpp>
+#include <glint/integrator/path.hpp>
+#include <glint/io/json_object.hpp>
+#include <glint/light/point.hpp>
+#include <glint/math/constants.hpp>
+#include <glint/sampler/independent.hpp>
+#include <glint/sampler/stratified.hpp>
+
+/// What a scene file says about how to render it: everything but the scene itself.
+namespace glint {
+
+using SceneCamera = OneOf<Perspective, ThinLens, Orthographic>;
+using SceneFilter = OneOf<BoxFilter, TentFilter, GaussianFilter, MitchellFilter>;
+using SceneIntegrator = OneOf<IntersectionTest, Path>;
+using SceneSequence = OneOf<Independent, Stratified>;
+
+struct FilmSettings {
+  Vec2i resolution{600, 600};
+  SceneFilter filter{};
+};
+
+struct IntegratorSettings {
+  SceneIntegrator integrator = Path{};
+  int samples = 32;                        ///< camera paths a pixel
+  std::vector<PointLight> point_lights{};  ///< those that `intersection_test` brings along
+};
+
+enum class SamplerKind : std::uint8_t { Independent, Stratified };
+
+struct SamplerSettings {
+  SamplerKind kind = SamplerKind::Independent;
+  std::uint64_t seed = 0;
+};
+
+enum class BuilderKind : std::uint8_t { Median, BinnedSah, SweepSah };
+
+struct AcceleratorSettings {
+  BuilderKind builder = BuilderKind::BinnedSah;
+};
+
+/// The random numbers that the settings ask for.
+[[nodiscard]] inline SceneSequence sequence_of(const SamplerSettings& settings, int samples) {
+  if (settings.kind == SamplerKind::Stratified) return Stratified{.samples_per_pixel = samples, .seed = settings.seed};
+  return Independent{.seed = settings.seed};
+}
+
+namespace detail {
+
+/// The choice that a word names. Errors: IoError that lists the words.
+template <typename T, std::size_t N>
+[[nodiscard]] T choice(const JsonValue& value, const std::array<std::pair<std::string_view, T>, N>& choices) {
+  const std::string word = value.text();
+  std::vector<std::string> words;
+  for (const auto& [name, result] : choices) {
+    if (name == word) return result;
+    words.emplace_back(name);
+  }
+  std::string problem = "found \"" + word + "\", expected one of";
+  for (const std::string& name : words) problem += (name == words.front() ? " \"" : ", \"") + name + "\"";
+  value.fail(problem + suggestion(word, words));
+}
+
+template <typename T, std::size_t N>
+[[nodiscard]] T choice_or(JsonObject& object, const std::string& key, T fallback,
+                          const std::array<std::pair<std::string_view, T>, N>& choices) {
+  const auto found = object.find(key);
+  return found ? choice(*found, choices) : fallback;
+}
+
+[[nodiscard]] inline PointLight read_point_light(JsonObject light) {
+  light.ignore({"type"});
+  const Vec3<float> position = light.require("position").vec3();
+  if (light.has("flux") == light.has("intensity")) light.fail("a point light has either \"flux\" or \"intensity\"");
+  const PointLight result = light.has("flux") ? PointLight::from_flux(position, light.require("flux").color())
+                                              : PointLight{position, light.require("intensity").color()};
+  light.finish();
+  return result;
+}
+
+[[nodiscard]] inline std::vector<PointLight> read_own_point_lights(JsonObject& integrator, bool scene_has_lights) {
+  std::vector<PointLight> result;
+  for (const JsonValue& light : integrator.items("point_lights")) result.push_back(read_point_light(JsonObject(light)));
+  const bool named = integrator.has("point_light_position") || integrator.has("point_light_flux");
+  const Vec3<float> position = integrator.vec3_or("point_light_position", {0, 5, 0});
+  const Rgb flux = integrator.color_or("point_light_flux", 1);
+  if (named || (result.empty() && !scene_has_lights)) result.push_back(PointLight::from_flux(position, flux));
+  return result;
+}
+
+enum class IntegratorKind : std::uint8_t { IntersectionTest, Path, Bdpt, Photon };
+
+inline constexpr std::array<std::pair<std::string_view, IntegratorKind>, 4> integrator_kinds{
+    {{"intersection_test", IntegratorKind::IntersectionTest},
+     {"path", IntegratorKind::Path},
+     {"bdpt", IntegratorKind::Bdpt},
+     {"photon", IntegratorKind::Photon}}};
+inline constexpr std::array<std::pair<std::string_view, LightStrategy>, 6> light_strategies{
+    {{"MIS", LightStrategy::Mis},
+     {"MultipleImportanceSampling", LightStrategy::Mis},
+     {"NEE", LightStrategy::NextEvent},
+     {"NextEventEstimation", LightStrategy::NextEvent},
+     {"RW", LightStrategy::RandomWalk},
+     {"RandomWalk", LightStrategy::RandomWalk}}};
+inline constexpr std::array<std::pair<std::string_view, Falloff>, 3> falloffs{
+    {{"inverse_square", Falloff::InverseSquare}, {"none", Falloff::None}, {"square", Falloff::Square}}};
+
+}  // namespace detail
+
+/// `scene_has_lights`: whether the file lists lights, so that `intersection_test` need not bring its default one.
+[[nodiscard]] inline IntegratorSettings read_integrator(JsonObject object, bool scene_has_lights) {
+  using detail::IntegratorKind;
+  const auto kind = detail::choice_or(object, "type", IntegratorKind::Path, detail::integrator_kinds);
+  const bool direct = kind == IntegratorKind::IntersectionTest;
+  if (kind == IntegratorKind::Bdpt || kind == IntegratorKind::Photon) {
+    object.source().warnings.push_back(object.source().path.string() + ":" + object.pointer() +
+                                       "/type: rendered with \"path\", as this integrator is not available");
+  }
+  IntegratorSettings result;
+  result.samples = object.integer_or("spp", direct ? 8 : 32, 1, 1 << 24);
+  const int max_depth = object.integer_or("max_depth", direct ? 16 : 12, 1);
+  const float roulette = object.read_or("rr_threshold", 0.1F, [](const JsonValue& v) {
+    if (!(v.number() >= 0)) v.fail_expected("a number from 0 up");
+    return v.number();
+  });
+  const auto strategy = detail::choice_or(object, "profile", LightStrategy::Mis, detail::light_strategies);
+  const auto falloff = detail::choice_or(object, "falloff", Falloff::InverseSquare, detail::falloffs);
+  const auto own_lights = detail::read_own_point_lights(object, scene_has_lights);
+  object.ignore({"n_photons", "n_iterations", "n_near_photons"});
+  object.finish();
+  if (direct) {
+    result.integrator = IntersectionTest{.max_depth = max_depth, .falloff = falloff};
+    result.point_lights = own_lights;
+  } else {
+    result.integrator = Path{.max_depth = max_depth, .roulette_below = roulette, .strategy = strategy};
+  }
+  return result;
+}
+
+namespace detail {
+
+enum class FilterKind : std::uint8_t { Box, Tent, Gaussian, Mitchell };
+
+inline constexpr std::array<std::pair<std::string_view, FilterKind>, 4> filter_kinds{
+    {{"box", FilterKind::Box},
+     {"tent", FilterKind::Tent},
+     {"gaussian", FilterKind::Gaussian},
+     {"mitchell", FilterKind::Mitchell}}};
+
+[[nodiscard]] inline SceneFilter read_filter(JsonObject object) {
+  const auto kind = choice_or(object, "type", FilterKind::Box, filter_kinds);
+  const float radius = object.read_or("radius", 0.5F, [](const JsonValue& v) {
+    if (!(v.number() > 0 && v.number() <= 8)) v.fail_expected("a number above 0, 8 at most");
+    return v.number();
+  });
+  const float alpha = object.positive_or("alpha", 2);
+  const float b = object.number_or("B", 1.0F / 3);
+  const float c = object.number_or("C", 1.0F / 3);
+  object.finish();
+  if (kind == FilterKind::Tent) return TentFilter{radius};
+  if (kind == FilterKind::Gaussian) return GaussianFilter{.radius = radius, .alpha = alpha};
+  if (kind == FilterKind::Mitchell) return MitchellFilter{.radius = radius, .b = b, .c = c};
+  return BoxFilter{radius};
+}
+
+}  // namespace detail
+
+[[nodiscard]] inline FilmSettings read_film(JsonObject object) {
+  FilmSettings result;
+  if (const auto resolution = object.find("resolution")) {
+    const auto sides = resolution->items("[width, height]");
+    if (sides.size() != 2) resolution->fail_expected("[width, height]");
+    result.resolution = {sides[0].integer(1, 65536), sides[1].integer(1, 65536)};
+  }
+  if (const auto filter = object.find("filter")) result.filter = detail::read_filter(JsonObject(*filter));
+  object.ignore({"block_side_length"});
+  object.finish();
+  return result;
+}
+
+namespace detail {
+
+enum class CameraKind : std::uint8_t { Perspective, ThinLens, Orthographic };
+
+inline constexpr std::array<std::pair<std::string_view, CameraKind>, 3> camera_kinds{
+    {{"perspective", CameraKind::Perspective},
+     {"thin_lens", CameraKind::ThinLens},
+     {"orthographic", CameraKind::Orthographic}}};
+
+}  // namespace detail
+
+[[nodiscard]] inline SceneCamera read_camera(JsonObject object) {
+  const auto kind = detail::choice_or(object, "type", detail::CameraKind::Perspective, detail::camera_kinds);
+  const Vec3<float> eye = object.vec3_or("position", {0, 0, 1});
+  const Vec3<float> target = object.vec3_or("look_at", {0, 0, 0});
+  const Vec3<float> up = object.vec3_or("ref_up", {0, 1, 0});
+  if (eye == target) object.fail("\"position\" and \"look_at\" are the same point");
+  const float fov = radians(object.read_or("fov", 45.0F, [](const JsonValue& v) {
+    if (!(v.number() > 0 && v.number() < 180)) v.fail_expected("an angle between 0 and 180 degrees");
+    return v.number();
+  }));
+  object.ignore({"focal_length"});
+  SceneCamera result = Perspective{.eye = eye, .target = target, .up = up, .fov_y_radians = fov};
+  if (kind == detail::CameraKind::ThinLens) {
+    const float lens_radius = object.positive_or("lens_radius", 0.05F);
+    const float focus_distance = object.positive_or("focus_distance", glm::length(target - eye));
+    result = ThinLens{eye, target, up, fov, lens_radius, focus_distance};
+  } else if (kind == detail::CameraKind::Orthographic) {
+    result = Orthographic{.eye = eye, .target = target, .up = up, .height = object.positive_or("height", 1)};
+  }
+  object.finish();
+  return result;
+}
+
+[[nodiscard]] inline SamplerSettings read_sampler(JsonObject object) {
+  static constexpr std::array<std::pair<std::string_view, SamplerKind>, 2> kinds{
+      {{"independent", SamplerKind::Independent}, {"stratified", SamplerKind::Stratified}}};
+  SamplerSettings result;
+  result.kind = detail::choice_or(object, "type", SamplerKind::Independent, kinds);
+  result.seed = static_cast<std::uint64_t>(object.integer_or("seed", 0, 0));
+  object.finish();
+  return result;
+}
+
+[[nodiscard]] inline AcceleratorSettings read_accelerator(JsonObject object) {
+  static constexpr std::array<std::pair<std::string_view, BuilderKind>, 3> kinds{
+      {{"median", BuilderKind::Median}, {"sah", BuilderKind::BinnedSah}, {"sweep_sah", BuilderKind::SweepSah}}};
+  AcceleratorSettings result;
+  result.builder = detail::choice_or(object, "builder", BuilderKind::BinnedSah, kinds);
+  object.finish();
+  return result;
+}
+
+}  // namespace glint

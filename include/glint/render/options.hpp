@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+
+namespace glint {
+
+/// How far rendering has come.
+struct RenderProgress {
+  std::uint64_t samples_done = 0;
+  std::uint64_t samples_total = 0;
+  double seconds = 0;  ///< since the start
+};
+
+struct RenderOptions {
+  int samples = 16;    ///< camera paths a pixel
+  int tile_size = 32;  ///< edge of the squares that are handed to threads, in pixels; rounded up to whole film blocks
+
+  /// Called after each tile, one call at a time, from whichever thread finished it. It should be quick.
+  std::function<void(const RenderProgress&)> progress{};
+
+  /// Ends the rendering early: tiles not yet begun stay as they were.
+  std::stop_token stop{};
+};
+
+}  // namespace glint
