@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <optional>
-#include <span>
 
 #include <glint/bvh/tree.hpp>
 #include <glint/core/executor.hpp>
@@ -52,7 +51,7 @@ struct BoxPack {
 ///     int width                              // a power of two
 ///     Link<I> root()                         // a leaf of a tree with one node; requires: not empty()
 ///     BoxPack<T, width> children(I node)     // a value where boxes are decoded, a reference where they are stored
-///     const Link<I>* links(I node)           // `width` of them; those of missing children are never followed
+///     std::array<Link<I>, width> links(I node)   // likewise; those of missing children are never followed
 ///
 /// Ensures: no path from the root is longer than Tree::max_depth.
 template <typename L>
@@ -62,7 +61,7 @@ concept Layout = requires(const L& layout, typename L::Index node) {
   { layout.empty() } -> std::same_as<bool>;
   { layout.root() } -> std::same_as<Link<typename L::Index>>;
   { layout.children(node) } -> std::convertible_to<const BoxPack<typename L::Scalar, L::width>&>;
-  { layout.links(node) } -> std::same_as<const Link<typename L::Index>*>;
+  { layout.links(node) } -> std::convertible_to<const std::array<Link<typename L::Index>, std::size_t(L::width)>&>;
 };
 
 /// Which children a query wants to see, one bit each, and the key by which it wants to see the smallest first.

@@ -18,7 +18,7 @@ struct TreeStatistics {
   int depth = 0;                        ///< steps from the root to the deepest leaf
   double sah_cost = 0;                  ///< see `statistics`
   std::size_t bytes = 0;                ///< of nodes and order
-  std::vector<std::size_t> leaf_sizes;  ///< [n]: the number of leaves of n primitives
+  std::vector<std::size_t> leaf_sizes{};  ///< [n]: the number of leaves of n primitives
 
   [[nodiscard]] friend bool operator==(const TreeStatistics&, const TreeStatistics&) = default;
 };

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glint/bvh/concepts.hpp>
+#include <glint/bvh/tree.hpp>
+#include <glint/core/config.hpp>
+#include <glint/geometry/aabb.hpp>
+#include <glint/simd/pack.hpp>
+
+namespace glint {
+
+/// The nodes of a tree as they are: the smallest to write, and with 32 bytes a node the smallest of the plain layouts.
+template <std::floating_point T, std::unsigned_integral I>
+class BinaryNodes {
+ public:
+  using Scalar = T;
+  using Index = I;
+  static constexpr int width = 2;
+
+  BinaryNodes() = default;
+  /// Requires: a valid tree.
+  explicit BinaryNodes(const Tree<T, I>& tree) : nodes_(tree.nodes) {}
+
+  [[nodiscard]] bool empty() const noexcept { return nodes_.empty(); }
+  [[nodiscard]] Link<I> root() const noexcept { return {nodes_[0].is_leaf() ? nodes_[0].first : I(0), nodes_[0].count}; }
+  [[nodiscard]] GLINT_ALWAYS_INLINE BoxPack<T, 2> children(I node) const noexcept {
+    const Aabb<T>& a = nodes_[nodes_[node].first].bounds;
+    const Aabb<T>& b = nodes_[nodes_[node].first + 1].bounds;
+    return {{pair(a.lower.x, b.lower.x), pair(a.lower.y, b.lower.y), pair(a.lower.z, b.lower.z),
+             pair(a.upper.x, b.upper.x), pair(a.upper.y, b.upper.y), pair(a.upper.z, b.upper.z)}};
+  }
+  [[nodiscard]] GLINT_ALWAYS_INLINE std::array<Link<I>, 2> links(I node) const noexcept {
+    const I first = nodes_[node].first;
+    return {link(first), link(first + 1)};
+  }
+  [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.size() * sizeof(nodes_[0]); }
+
+ private:
+  [[nodiscard]] GLINT_ALWAYS_INLINE static Pack<T, 2> pair(T a, T b) noexcept {
+    const std::array<T, 2> both{a, b};
+    return Pack<T, 2>::load(both.data());
+  }
+  [[nodiscard]] Link<I> link(I node) const noexcept {
+    return {nodes_[node].is_leaf() ? nodes_[node].first : node, nodes_[node].count};
+  }
+
+  std::vector<BinaryNode<T, I>> nodes_;
+};
+
+/// Names the layout: `Bvh{mesh, BinnedSah{}, binary}`.
+struct BinaryLayout {
+  template <std::floating_point T, std::unsigned_integral I>
+  using Nodes = BinaryNodes<T, I>;
+};
+inline constexpr BinaryLayout binary{};
+
+static_assert(Layout<BinaryNodes<float, std::uint32_t>>);
+
+}  // namespace glint

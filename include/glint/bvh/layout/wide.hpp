@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <glint/bvh/concepts.hpp>
+#include <glint/bvh/tree.hpp>
+#include <glint/core/config.hpp>
+#include <glint/geometry/aabb.hpp>
+#include <glint/math/constants.hpp>
+#include <glint/simd/pack.hpp>
+
+namespace glint {
+
+/// Nodes of up to N children, whose boxes are stored plane by plane and tested at once.
+template <std::floating_point T, std::unsigned_integral I, int N>
+class WideNodes {
+ public:
+  using Scalar = T;
+  using Index = I;
+  static constexpr int width = N;
+
+  WideNodes() = default;
+  /// Each node takes the place of several binary ones: the largest inner child is opened until N children are there.
+  ///
+  /// Requires: a valid tree.
+  explicit WideNodes(const Tree<T, I>& tree) {
+    if (tree.nodes.empty()) return;
+    const BinaryNode<T, I>& top = tree.nodes.front();
+    root_ = {0, 0};
+    is_empty_ = false;
+    if (top.is_leaf()) {
+      root_ = {top.first, top.count};
+      return;
+    }
+    std::vector<std::pair<I, I>> pending{{I(0), I(0)}};  // a node of the tree, and the node that takes its place
+    nodes_.resize(1);
+    while (!pending.empty()) {
+      const auto [from, to] = pending.back();
+      pending.pop_back();
+      const Children children = opened(tree, from);
+      for (int i = 0; i < children.size; ++i) {
+        const BinaryNode<T, I>& child = tree.nodes[children.index[std::size_t(i)]];
+        if (!child.is_leaf()) {
+          pending.emplace_back(children.index[std::size_t(i)], I(nodes_.size()));
+          place(nodes_[to], i, child.bounds, {I(nodes_.size()), 0});
+          nodes_.emplace_back();
+        } else {
+          place(nodes_[to], i, child.bounds, {child.first, child.count});
+        }
+      }
+    }
+    nodes_.shrink_to_fit();
+  }
+
+  [[nodiscard]] bool empty() const noexcept { return is_empty_; }
+  [[nodiscard]] Link<I> root() const noexcept { return root_; }
+  [[nodiscard]] GLINT_ALWAYS_INLINE const BoxPack<T, N>& children(I node) const noexcept { return nodes_[node].boxes; }
+  [[nodiscard]] GLINT_ALWAYS_INLINE const std::array<Link<I>, std::size_t(N)>& links(I node) const noexcept {
+    return nodes_[node].links;
+  }
+  [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.size() * sizeof(Node); }
+
+ private:
+  struct alignas(std::min<std::size_t>(64, std::bit_floor(sizeof(BoxPack<T, N>)))) Node {
+    BoxPack<T, N> boxes = empty_boxes();
+    std::array<Link<I>, std::size_t(N)> links{};
+  };
+  struct Children {
+    std::array<I, std::size_t(N)> index{};
+    int size = 0;
+  };
+
+  static BoxPack<T, N> empty_boxes() noexcept {
+    const auto low = Pack<T, N>::broadcast(infinity<T>);
+    const auto high = Pack<T, N>::broadcast(-infinity<T>);
+    return {{low, low, low, high, high, high}};
+  }
+  static void place(Node& node, int i, const Aabb<T>& box, const Link<I>& link) noexcept {
+    const std::array<T, 6> planes{box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z};
+    for (std::size_t plane = 0; plane < 6; ++plane) node.boxes.planes[plane].set(i, planes[plane]);
+    node.links[std::size_t(i)] = link;
+  }
+  [[nodiscard]] static Children opened(const Tree<T, I>& tree, I from) noexcept {
+    Children children;
+    children.index[0] = tree.nodes[from].first;
+    children.index[1] = tree.nodes[from].first + 1;
+    for (children.size = 2; children.size < N; ++children.size) {
+      int largest = -1;
+      T area = T(-1);
+      for (int i = 0; i < children.size; ++i) {
+        const BinaryNode<T, I>& child = tree.nodes[children.index[std::size_t(i)]];
+        if (child.is_leaf() || !(half_area(child.bounds) > area)) continue;
+        area = half_area(child.bounds);
+        largest = i;
+      }
+      if (largest < 0) break;
+      const I first = tree.nodes[children.index[std::size_t(largest)]].first;
+      children.index[std::size_t(largest)] = first;
+      children.index[std::size_t(children.size)] = first + 1;
+    }
+    return children;
+  }
+
+  std::vector<Node> nodes_;
+  Link<I> root_;
+  bool is_empty_ = true;
+};
+
+/// Names the layout: `Bvh{mesh, BinnedSah{}, wide<8>}`.
+template <int N>
+struct WideLayout {
+  template <std::floating_point T, std::unsigned_integral I>
+  using Nodes = WideNodes<T, I, N>;
+};
+template <int N>
+inline constexpr WideLayout<N> wide{};
+
+static_assert(Layout<WideNodes<float, std::uint32_t, 8>>);
+
+}  // namespace glint
