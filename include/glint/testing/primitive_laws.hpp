@@ -17,19 +17,12 @@
 #include <glint/math/frame.hpp>
 #include <glint/math/random.hpp>
 #include <glint/math/vec.hpp>
+#include <glint/testing/random_rays.hpp>
 #include <glint/testing/violations.hpp>
 
 namespace glint::testing {
 
 namespace detail {
-
-template <std::floating_point T>
-[[nodiscard]] Vec3<T> random_direction(Random& random) {
-  const T z = random.uniform(T(-1), T(1));
-  const T phi = random.uniform(T(0), T(2) * pi<T>);
-  const T r = std::sqrt(std::max(T(0), T(1) - z * z));
-  return {r * std::cos(phi), r * std::sin(phi), z};
-}
 
 template <ShadablePrimitive P, std::floating_point T>
 [[nodiscard]] SurfaceOf<T> surface_at(const P& primitive, const Vec3<T>& position, const Hit<T>& hit) {
@@ -77,24 +70,22 @@ class PrimitiveTrial {
 
   void check_nothing_is_hit() {
     for (int i = 0; i < rays_; ++i) {
-      const Vec3<T> origin = random_direction<T>(random_);
-      const Ray<T> ray{origin, random_direction<T>(random_) - origin};
+      const Vec3<T> origin = random_unit_vector<T>(random_);
+      const Ray<T> ray{origin, random_unit_vector<T>(random_) - origin};
       violations_.expect(!intersect(ray, primitive_), "a primitive with empty bounds is never hit", ray);
     }
   }
 
-  [[nodiscard]] Vec3<T> point_in_bounds() { return box_.lower + extent(box_) * random_.uniform_vec3<T>(); }
-
   /// From outside, from inside, and along an axis; directions of many lengths.
   [[nodiscard]] Ray<T> random_ray(int i) {
-    const Vec3<T> target = point_in_bounds();
+    const Vec3<T> target = random_point(box_, random_);
     const T distance = size_ * random_.uniform(T(1), T(3));
-    Vec3<T> direction = random_direction<T>(random_);
+    Vec3<T> direction = random_unit_vector<T>(random_);
     if (i % 4 == 3) {
       const T sign = i % 8 == 3 ? T(1) : T(-1);
       direction = {i % 3 == 0 ? sign : T(0), i % 3 == 1 ? sign : T(0), i % 3 == 2 ? sign : T(0)};
     }
-    const Vec3<T> origin = i % 4 == 2 ? point_in_bounds() : target - direction * distance;
+    const Vec3<T> origin = i % 4 == 2 ? random_point(box_, random_) : target - direction * distance;
     return {origin, direction * std::exp2(random_.uniform(T(-5), T(5)))};
   }
 
@@ -180,7 +171,7 @@ class PrimitiveTrial {
 
   /// A line that keeps clear of the sphere around the bounds.
   void check_ray_past_bounds() {
-    const Vec3<T> away = random_direction<T>(random_);
+    const Vec3<T> away = random_unit_vector<T>(random_);
     const Frame<T> frame = Frame<T>::around(away);
     const T clearance = size_ * random_.uniform(T(0.51), T(2)) + T(64) * epsilon_ * magnitude_;
     const T back = size_ * random_.uniform(T(0), T(3));
@@ -223,7 +214,7 @@ class PrimitiveTrial {
     if (facing < T(0.2)) return;
     const T step = size_ * std::sqrt(epsilon_) * T(4);
     Ray<T> beside = ray;
-    beside.origin += random_direction<T>(random_) * step;
+    beside.origin += random_unit_vector<T>(random_) * step;
     const auto hit = intersect(beside, primitive_);
     if (!hit) return;
     const Vec3<T> to_neighbor = beside.at(hit->t) - position;
@@ -263,7 +254,7 @@ class PrimitiveTrial {
   }
 
   double count_crossings(T radius, Octants& crossed) {
-    const Frame<T> frame = Frame<T>::around(random_direction<T>(random_));
+    const Frame<T> frame = Frame<T>::around(random_unit_vector<T>(random_));
     const T r = radius * std::sqrt(random_.uniform<T>());
     const T phi = random_.uniform(T(0), T(2) * pi<T>);
     const Vec3<T> offset = (frame.x * std::cos(phi) + frame.y * std::sin(phi)) * r;
