@@ -17,17 +17,17 @@ class TriangleSampler {
  public:
   TriangleSampler() = default;
   explicit TriangleSampler(std::vector<Triangle<float>> triangles)
-      : triangles_(std::move(triangles)), choice_(areas(triangles_)) {}
+      : triangles_(std::move(triangles)), choice_(areas(triangles_)), area_(static_cast<float>(choice_.total())) {}
 
   [[nodiscard]] const std::vector<Triangle<float>>& triangles() const noexcept { return triangles_; }
 
-  [[nodiscard]] friend float area(const TriangleSampler& shape) noexcept { return shape.choice_.total(); }
+  [[nodiscard]] friend float area(const TriangleSampler& shape) noexcept { return shape.area_; }
 
   /// Requires: area > 0. One of the two numbers chooses the triangle first, and what is left of it is used again.
   [[nodiscard]] friend AreaSample<float> sample_area(const TriangleSampler& shape, const Vec2<float>& u) noexcept {
     const auto chosen = shape.choice_.sample(u.x);
     AreaSample<float> result = sample_area(shape.triangles_[chosen.index], Vec2<float>{chosen.remainder, u.y});
-    result.pdf = 1 / shape.choice_.total();
+    result.pdf = 1 / shape.area_;
     return result;
   }
 
@@ -44,6 +44,7 @@ class TriangleSampler {
 
   std::vector<Triangle<float>> triangles_;
   AliasTable choice_;
+  float area_ = 0;
 };
 
 }  // namespace glint
