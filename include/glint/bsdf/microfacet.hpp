@@ -89,7 +89,9 @@ struct Ggx {
   /// Source:   Dupuy, Benyoub, "Sampling Visible GGX Normals with Spherical Caps", CGF 42(8), 2023.
   [[nodiscard]] Vec3<float> sample_visible(const Vec3<float>& w, const Vec2<float>& uv) const noexcept {
     const Vec3<float> unit = glm::normalize(stretched(w));
-    return glm::normalize(stretched(unit + uniform_cone(uv, 1.0F + unit.z)));
+    Vec3<float> m = unit + uniform_cone(uv, 1.0F + unit.z);
+    m.z = std::max(m.z, 1e-7F);  // on the rim of the cap rounding would lay facets on edge, or leave no direction
+    return glm::normalize(stretched(m));
   }
 
   [[nodiscard]] friend constexpr bool operator==(const Ggx&, const Ggx&) noexcept = default;

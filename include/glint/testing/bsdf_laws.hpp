@@ -56,8 +56,10 @@ class BsdfTrial {
       check_pair(wo, direction());
     }
     for (int i = 0; i < albedos_; ++i) check_albedo(direction());
-    check_albedo({0.0F, 0.0F, 1.0F});
-    check_albedo({std::sqrt(1.0F - 1e-4F), 0.0F, 0.01F});
+    for (const float side : {1.0F, -1.0F}) {
+      check_albedo({0.0F, 0.0F, side});
+      check_albedo({std::sqrt(1.0F - 1e-4F), 0.0F, 0.01F * side});
+    }
     if (!bsdf_.is_specular()) check_distribution();
     return violations_.take();
   }
@@ -88,6 +90,11 @@ class BsdfTrial {
     return w.z > 0.0F ? 1.0F : options_.radiance_eta * options_.radiance_eta;
   }
 
+  /// Takes the scaling of radiance back: what remains of a weight is the share of power.
+  [[nodiscard]] float power_per_radiance(const Vec3<float>& wo, const Vec3<float>& wi) const {
+    return squared_index(wi) / squared_index(wo);
+  }
+
   [[nodiscard]] bool agree(float a, float b, float tolerance) const {
     return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b)) + std::numeric_limits<float>::min();
   }
@@ -100,7 +107,7 @@ class BsdfTrial {
     constexpr std::array ends{0.0F, 0.5F, one_minus_epsilon<float>};
     for (const float u : ends) {
       for (const float x : ends) {
-        for (const float y : ends) check_sound(wo, bsdf_.sample(wo, u, {x, y}));
+        for (const float y : ends) check_sound(wo, bsdf_.sample(wo, u, Vec2<float>{x, y}));
       }
     }
   }
@@ -157,9 +164,10 @@ class BsdfTrial {
     for (const float u : {0.0F, 0.25F, 0.5F, 0.75F, one_minus_epsilon<float>}) {
       const auto back = bsdf_.sample(s.wi, u, Vec2<float>{0.5F});
       if (!back || back->lobe != Lobe::Specular || length_squared(back->wi - wo) > 1e-8F) continue;
-      violations_.expect(agree(s.weight * (s.pdf * squared_index(s.wi)), back->weight * (back->pdf * squared_index(wo)),
-                               options_.tolerance),
-                         "specular light goes both ways alike", wo, s.wi);
+      const Rgb there_power = s.weight * (s.pdf * power_per_radiance(wo, s.wi));
+      const Rgb back_power = back->weight * (back->pdf * power_per_radiance(s.wi, wo));
+      violations_.expect(agree(there_power, back_power, options_.tolerance), "specular light goes both ways alike", wo,
+                         s.wi);
       return;
     }
     violations_.expect(is_black(s.weight), "a specular direction leads back", wo, s.wi);
@@ -173,7 +181,7 @@ class BsdfTrial {
       const float u = random_.uniform<float>();
       const auto s = bsdf_.sample(wo, u, random_.uniform_vec2());
       if (!s) continue;
-      const double power = max_component(s->weight) * squared_index(s->wi) / squared_index(wo);
+      const double power = double{max_component(s->weight)} * double{power_per_radiance(wo, s->wi)};
       sum += power;
       sum_of_squares += power * power;
     }
