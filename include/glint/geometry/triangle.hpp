@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <concepts>
 #include <optional>
 
@@ -76,8 +77,9 @@ template <std::floating_point T>
 /// The point v0 + w1 (v1 − v0) + w2 (v2 − v0).
 ///
 /// The position is rounded once in each difference, product and sum: at most 3 times the size of the summands, and the
-/// last sum. The error bound adds what the triangle tests lose when they look at the triangle from nearby: the
-/// position of a ray that starts there must be beyond that too.
+/// last sum. The error bound adds what the triangle tests lose when they look at the triangle from nearby, for a ray
+/// that starts there must be beyond that too. They lose the more the thinner the triangle is; the bound stops growing
+/// where it would exceed the thickness.
 ///
 /// Errors: the normal of a triangle without area is (0, 0, 1).
 /// Source: error analysis as in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 6.8.
@@ -85,10 +87,12 @@ template <std::floating_point T>
 [[nodiscard]] SurfaceOf<T> surface_at(const Triangle<T>& triangle, T w1, T w2) noexcept {
   const detail::ScaledNormal<T> frame(triangle);
   const T length = frame.length();
+  const T inverse = T(1) / length;
+  const T nearby = rounding_bound<T>(4) + std::min(rounding_bound<T>(8) * inverse, length);
   SurfaceOf<T> s;
   s.position = triangle.v0 + (frame.e1 * w1 + frame.e2 * w2);
-  s.position_error = abs(s.position) * rounding_bound<T>(1) + Vec3<T>(frame.scale * rounding_bound<T>(8));
-  if (length > T(0)) s.normal = frame.cross * (T(1) / length);
+  s.position_error = abs(s.position) * rounding_bound<T>(1) + Vec3<T>(frame.scale * nearby);
+  if (length > T(0)) s.normal = frame.cross * inverse;
   s.shading_normal = s.normal;
   s.tangent = frame.e1;
   s.uv = {w1 + w2, w2};
