@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -35,7 +34,8 @@ template <std::floating_point T>
   return table[encoded];
 }
 
-/// The 8-bit sRGB value nearest to linear light, correctly rounded: a search among the 255 values at which it changes.
+/// The 8-bit sRGB value nearest to linear light, correctly rounded: a search without branches among the 255
+/// values at which it changes.
 ///
 /// Errors: below 0 and NaN give 0, above 1 gives 255.
 [[nodiscard]] inline std::uint8_t encode_srgb8(float linear) noexcept {
@@ -49,8 +49,9 @@ template <std::floating_point T>
     }
     return values;
   }();
-  if (!(linear > 0)) return 0;
-  return static_cast<std::uint8_t>(std::upper_bound(steps.begin(), steps.end(), linear) - steps.begin());
+  std::size_t code = 0;
+  for (std::size_t half = 128; half > 0; half /= 2) code += half * (linear >= steps[code + half - 1] ? 1U : 0U);
+  return static_cast<std::uint8_t>(code);
 }
 
 }  // namespace glint

@@ -18,14 +18,19 @@ enum class Wrap { Repeat, Clamp, Mirror };
 
 namespace detail {
 
+/// s − floor(s), in [0, 1]. From 2²³ on floats are whole numbers; NaN counts as one.
+[[nodiscard]] inline float fraction(float s) noexcept {
+  if (!(std::abs(s) < 0x1p23F)) return 0;
+  const float rest = s - static_cast<float>(static_cast<int>(s));
+  return rest < 0 ? rest + 1 : rest;
+}
+
 /// Any coordinate, NaN too, brought into [0, 1].
 [[nodiscard]] inline float wrap_coordinate(float s, Wrap wrap) noexcept {
-  if (wrap == Wrap::Repeat) s -= std::floor(s);
-  if (wrap == Wrap::Mirror) {
-    s -= 2 * std::floor(0.5F * s);
-    s = s > 1 ? 2 - s : s;
-  }
-  return std::min(std::max(0.0F, s), 1.0F);
+  if (wrap == Wrap::Repeat) return fraction(s);
+  if (wrap == Wrap::Clamp) return std::min(std::max(0.0F, s), 1.0F);
+  const float twice = 2 * fraction(0.5F * s);
+  return twice > 1 ? 2 - twice : twice;
 }
 
 /// The two pixels on either side of a coordinate along one axis, and the share of the second.
