@@ -19,7 +19,7 @@ enum class Lobe : std::uint8_t {
 /// A direction drawn from a BSDF.
 struct BsdfSample {
   Vec3<float> wi{0.0F, 0.0F, 1.0F};
-  Rgb weight;     ///< evaluate(wo, wi) / pdf; for a specular lobe, its reflectance over its chance
+  Rgb weight{};   ///< evaluate(wo, wi) / pdf; for a specular lobe, its reflectance over its chance
   float pdf = 0;  ///< 1/sr, of wi over all non-specular lobes; for a specular lobe, the chance that it is chosen
   Lobe lobe = Lobe::Diffuse;
 };

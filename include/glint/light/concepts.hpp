@@ -15,7 +15,7 @@ namespace glint {
 struct LightSample {
   Vec3<float> wi{0.0F, 0.0F, 1.0F};  ///< unit length, toward the light
   float distance = infinity<float>;  ///< to the light, scene units; infinite for lights at infinity
-  Rgb radiance;                      ///< along −wi; for a delta light, its irradiance on a facing surface
+  Rgb radiance{};                    ///< along −wi; for a delta light, its irradiance on a facing surface
   float pdf = 0;                     ///< 1/sr; 1 for a delta light
   bool is_delta = false;             ///< no other strategy can find this direction
   /// Where a shadow ray ends: the point on the light, moved off its surface. Of no meaning where distance is infinite.

@@ -14,8 +14,8 @@ namespace glint {
 /// Where a ray meets the scene, and how light scatters there.
 template <Bsdf B>
 struct Interaction {
-  Surface surface;
-  Frame<float> frame;                ///< the shading frame: z is the shading normal
+  Surface surface{};
+  Frame<float> frame{};              ///< the shading frame: z is the shading normal
   Vec3<float> wo{0.0F, 0.0F, 1.0F};  ///< back along the ray, unit length, world space
   B bsdf{};
   std::uint64_t primitive = none<std::uint64_t>;  ///< the geometry's index
