@@ -4,7 +4,11 @@ list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 
 find_package(glm REQUIRED)
 find_package(TBB QUIET)
+# Some distributions pack Imath's Python bindings apart, and its configuration notices on every run, QUIET or not.
+set(message_level ${CMAKE_MESSAGE_LOG_LEVEL})
+set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(OpenEXR QUIET)
+set(CMAKE_MESSAGE_LOG_LEVEL ${message_level})
 find_package(tinyobjloader QUIET)
 find_package(Stb QUIET)
 find_package(nlohmann_json QUIET)
