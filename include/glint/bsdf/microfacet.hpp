@@ -108,9 +108,10 @@ namespace detail {
 
 /// Twice the area that Gaussian slopes below x (density exp(−x²) / √π) project toward a direction of the given cosine
 /// and sine: 2 ∫ (cos − t sin) exp(−t²) / √π dt up to x.
-[[nodiscard]] inline float twice_gaussian_area_below(float x, float cos, float sin) noexcept {
-  constexpr float inv_sqrt_pi = std::numbers::inv_sqrtpi_v<float>;
-  return cos * std::erfc(-x) + sin * inv_sqrt_pi * std::exp(-x * x);
+///
+/// Requires: bell = exp(−x²), which callers need as well.
+[[nodiscard]] inline float twice_gaussian_area_below(float x, float bell, float cos, float sin) noexcept {
+  return cos * std::erfc(-x) + sin * std::numbers::inv_sqrtpi_v<float> * bell;
 }
 
 /// A Gaussian slope as seen along a direction of the given cosine and sine: density in proportion to
@@ -128,15 +129,17 @@ namespace detail {
   constexpr float half_sqrt_pi = 0.5F / std::numbers::inv_sqrtpi_v<float>;
   constexpr float lowest = -4.0F;  // with a chance of 1e-8: the rest is left out, or u = 0 would run away
   const float highest = std::min(sin > 0.0F ? cos / sin : -lowest, -lowest);
-  const float target = u * twice_gaussian_area_below(highest, cos, sin);
+  const float target = u * twice_gaussian_area_below(highest, std::exp(-highest * highest), cos, sin);
   float x = -sin / (cos + std::sqrt(cos * cos + 2.0F * sin * sin));
-  const bool rising = target > twice_gaussian_area_below(x, cos, sin);
+  float previous = 0.0F;
   for (int i = 0; i < 16; ++i) {
-    const float slope = (cos - x * sin) * std::exp(-x * x);
-    const float step = half_sqrt_pi * (target - twice_gaussian_area_below(x, cos, sin)) / slope;
-    if (!(step > 0.0F) == rising) break;  // rounding has the last word
+    const float bell = std::exp(-x * x);
+    const float missing = target - twice_gaussian_area_below(x, bell, cos, sin);
+    const float step = half_sqrt_pi * missing / ((cos - x * sin) * bell);
+    if (!(step * previous >= 0.0F)) break;  // a turn: rounding has the last word
     x = std::clamp(x + step, lowest, highest);
     if (std::abs(step) < 1e-3F) break;  // each step squares the error: the next would be below rounding
+    previous = step;
   }
   return x;
 }
@@ -163,7 +166,9 @@ struct Beckmann {
 
   [[nodiscard]] float projected_area(const Vec3<float>& w) const noexcept {
     const float sine = std::sqrt(alpha_x * alpha_x * w.x * w.x + alpha_y * alpha_y * w.y * w.y);
-    return sine > 0.0F ? 0.5F * detail::twice_gaussian_area_below(w.z / sine, w.z, sine) : w.z;
+    if (!(sine > 0.0F)) return w.z;
+    const float x = w.z / sine;
+    return 0.5F * detail::twice_gaussian_area_below(x, std::exp(-x * x), w.z, sine);
   }
 
   /// Slopes along w and across it are independent; w sees only the former foreshortened.
