@@ -1,6 +1,6 @@
 # What `#include <glint/bvh/bvh.hpp>` costs a user, in lines that reach the compiler; a count, since timings differ
 # from one machine to the next. The standard library is most of it, so the budget holds for more than one of them.
-set(budget 75000)
+set(budget 80000)
 
 set(source ${CMAKE_CURRENT_BINARY_DIR}/compile_budget.cpp)
 file(WRITE ${source} "#include <glint/bvh/bvh.hpp>\n")

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "every_header.hpp"
+#include "hits.hpp"
 
 const glint::Version* version_in_second_unit() {
   return &glint::version;
+}
+
+int hits_in_second_unit() {
+  return hits_in_this_unit();
 }
