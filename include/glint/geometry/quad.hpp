@@ -36,14 +36,24 @@ template <std::floating_point T>
   return box;
 }
 
+namespace detail {
+
+/// Whether edge_u × edge_v is more than the rounding noise that it may be for parallel edges.
+template <std::floating_point T>
+[[nodiscard]] bool spans_area(const Vec3<T>& normal, const Quad<T>& quad) noexcept {
+  const T noise = rounding_bound<T>(4) * max_component(abs(quad.edge_u)) * max_component(abs(quad.edge_v));
+  return max_component(abs(normal)) > noise;
+}
+
+}  // namespace detail
+
 /// The crossing of a parallelogram, by Cramer's rule.
 ///
 /// Ensures: uv = (a, b), all four edges included.
 /// Errors:  no hit for a ray in the quad's plane, a quad without area, or a NaN.
 template <std::floating_point T>
 [[nodiscard]] std::optional<Hit<T>> intersect(const Ray<T>& ray, const Quad<T>& quad) noexcept {
-  const Vec3<T> normal =
-      glm::cross(quad.edge_u, quad.edge_v);  // without the ray in it, exactly 0 for edges along one axis
+  const Vec3<T> normal = glm::cross(quad.edge_u, quad.edge_v);
   const T determinant = glm::dot(normal, ray.direction);
   if (!(std::abs(determinant) < infinity<T>)) return std::nullopt;
 
@@ -56,6 +66,7 @@ template <std::floating_point T>
   const T a = glm::dot(quad.edge_v, moment) * inv_determinant;
   const T b = -glm::dot(quad.edge_u, moment) * inv_determinant;
   if (!(a >= T(0) && a <= T(1) && b >= T(0) && b <= T(1))) return std::nullopt;
+  if (!detail::spans_area(normal, quad)) return std::nullopt;  // last, since few rays come this far
   return Hit<T>{.t = t, .uv = {a, b}};
 }
 
