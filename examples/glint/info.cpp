@@ -64,10 +64,10 @@ void tell_image(const std::filesystem::path& path) {
 void tell_mesh(const std::filesystem::path& path) {
   const glint::ObjMesh obj = glint::read_obj(path);
   for (const std::string& warning : obj.warnings) std::fprintf(stderr, "glint: warning: %s\n", warning.c_str());
-  const auto mesh = glint::view(obj.mesh);
-  std::printf("%-14s %zu triangles, %zu vertices%s%s, %zu materials\n", "mesh", obj.mesh.indices.size() / 3,
-              obj.mesh.positions.size(), obj.mesh.normals.empty() ? "" : ", normals",
-              obj.mesh.uvs.empty() ? "" : ", texture coordinates", obj.materials.size());
+  const auto mesh = glint::view(obj.buffers);
+  std::printf("%-14s %zu triangles, %zu vertices%s%s, %zu materials\n", "mesh", obj.buffers.indices.size() / 3,
+              obj.buffers.positions.size(), obj.buffers.normals.empty() ? "" : ", normals",
+              obj.buffers.uvs.empty() ? "" : ", texture coordinates", obj.materials.size());
   const auto tree = glint::BinnedSah{}.build(mesh);
   tell_box(tree.nodes.empty() ? glint::Aabb<float>{} : tree.nodes.front().bounds);
   tell_tree(glint::statistics(tree));

@@ -53,10 +53,6 @@ concept CastsRay = requires(const T& x, const A&... a) {
   x.ray(a...);
 };
 template <typename T, typename... A>
-concept HasBsdf = requires(const T& x, const A&... a) {
-  x.bsdf(a...);
-};
-template <typename T, typename... A>
 concept HasRays = requires(const T& x, const A&... a) {
   x.rays(a...);
 };
@@ -160,11 +156,6 @@ class OneOf {
   }
   [[nodiscard]] constexpr auto next_2d() requires(detail::HasNext2d<Ts>&&...) {
     return visit([](auto& x) { return x.next_2d(); });
-  }
-  template <typename... A>
-    requires(detail::HasBsdf<Ts, A...>&&...)
-  [[nodiscard]] constexpr auto bsdf(const A&... a) const {
-    return transform([&](const auto& x) { return x.bsdf(a...); });
   }
   template <typename... A>
     requires(detail::HasRays<Ts, A...>&&...)

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
@@ -20,8 +21,12 @@ class TbbExecutor {
  public:
   /// As many threads as the machine has.
   TbbExecutor() = default;
-  /// `threads` threads, the caller's included. Requires: threads ≥ 1.
-  explicit TbbExecutor(int threads) : arena_(std::max(1, threads)) {}
+  /// `threads` threads, the caller's included, more than the machine has if need be; fewer than one count as one.
+  explicit TbbExecutor(int threads)
+      : allowed_(tbb::global_control::max_allowed_parallelism,
+                 std::max(static_cast<std::size_t>(std::max(1, threads)),
+                          tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism))),
+        arena_(std::max(1, threads)) {}
 
   [[nodiscard]] int concurrency() const { return arena_.max_concurrency(); }
 
@@ -40,6 +45,8 @@ class TbbExecutor {
   }
 
  private:
+  tbb::global_control allowed_{tbb::global_control::max_allowed_parallelism,
+                               tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)};
   mutable tbb::task_arena arena_;
 };
 

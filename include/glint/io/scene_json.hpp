@@ -321,12 +321,12 @@ class SceneJsonReader {
   /// A mesh's own materials, or the one it is given.
   [[nodiscard]] std::vector<std::uint32_t> mesh_materials(JsonObject& object, const ObjMesh& obj,
                                                           const std::optional<Attributes>& attributes) {
-    const std::size_t triangles = obj.mesh.indices.size() / 3;
+    const std::size_t triangles = obj.buffers.indices.size() / 3;
     if (attributes) return std::vector<std::uint32_t>(triangles, attributes->material);
     std::vector<std::uint32_t> own;
-    for (const MtlMaterial& material : obj.materials) own.push_back(add_material(read_mtl(material)));
+    for (const ObjMaterial& material : obj.materials) own.push_back(add_material(read_mtl(material)));
     std::vector<std::uint32_t> result;
-    for (const std::uint32_t id : obj.triangle_materials) {
+    for (const std::uint32_t id : obj.material_ids) {
       if (id == none<std::uint32_t>) {
         object.fail("without \"material_name\" each face needs a material of the mesh's MTL file, and some have none");
       }
@@ -335,7 +335,7 @@ class SceneJsonReader {
     return result;
   }
 
-  [[nodiscard]] SceneMaterial read_mtl(const MtlMaterial& material) {
+  [[nodiscard]] SceneMaterial read_mtl(const ObjMaterial& material) {
     SceneDiffuse diffuse{.texture = ConstantTexture{material.diffuse}};
     if (!material.diffuse_map.empty()) {
       scene_.inputs.emplace_back(material.diffuse_map);
@@ -356,9 +356,9 @@ class SceneJsonReader {
       attributes = read_attributes(object);
     }
     const auto materials = mesh_materials(object, obj, attributes);
-    place(obj.mesh, placement, path);
-    const std::uint32_t light = attributes ? add_mesh_light(obj.mesh, attributes->radiance, object) : no_light;
-    append(obj.mesh);
+    place(obj.buffers, placement, path);
+    const std::uint32_t light = attributes ? add_mesh_light(obj.buffers, attributes->radiance, object) : no_light;
+    append(obj.buffers);
     auto& of_triangle = scene_.attributes[Triangles];
     of_triangle.materials.insert(of_triangle.materials.end(), materials.begin(), materials.end());
     of_triangle.lights.resize(of_triangle.materials.size(), light);
@@ -383,6 +383,16 @@ class SceneJsonReader {
     for (Vec3<float>& p : mesh.positions) p = placement.point(p);
     for (Vec3<float>& n : mesh.normals) n = n == Vec3<float>(0) ? n : transform_normal(*back, n);
     if (!mesh.normals.empty()) wind_by_normals(mesh);
+  }
+
+  static void wind_by_normals(MeshBuffers<float>& mesh) {
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+      const Vec3<float>& v0 = mesh.positions[mesh.indices[i]];
+      const Vec3<float> e1 = mesh.positions[mesh.indices[i + 1]] - v0;
+      const Vec3<float> e2 = mesh.positions[mesh.indices[i + 2]] - v0;
+      const float agreement = glm::dot(glm::cross(e1, e2), mesh.normals[mesh.indices[i]]);
+      if (agreement < 0) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
   }
 
   [[nodiscard]] std::uint32_t add_mesh_light(const MeshBuffers<float>& mesh, const std::optional<Rgb>& radiance,

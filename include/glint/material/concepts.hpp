@@ -4,16 +4,30 @@
 #include <utility>
 
 #include <glint/bsdf/concepts.hpp>
+#include <glint/core/one_of.hpp>
 #include <glint/geometry/surface.hpp>
 
 namespace glint {
 
-/// What a surface is made of: `bsdf(surface)` is how it scatters light at one point. A BSDF alone is the material that
-/// is alike everywhere.
+/// A material that hands out a BSDF for each point of a surface: `bsdf(surface)`.
 template <typename M>
-concept Material = Bsdf<M> || requires(const M& material, const Surface& at) {
+concept BsdfSource = requires(const M& material, const Surface& at) {
   { material.bsdf(at) } -> Bsdf;
 };
+
+namespace detail {
+
+template <typename M>
+inline constexpr bool is_choice_of_materials = false;
+template <typename... Ms>
+inline constexpr bool is_choice_of_materials<OneOf<Ms...>> = ((Bsdf<Ms> || BsdfSource<Ms>)&&...);
+
+}  // namespace detail
+
+/// What a surface is made of: something that hands out BSDFs, a BSDF (the material that is alike everywhere), or one of
+/// several of these.
+template <typename M>
+concept Material = Bsdf<M> || BsdfSource<M> || detail::is_choice_of_materials<M>;
 
 /// Materials by primitive: `bsdf(surface, primitive)`.
 template <typename M>
@@ -29,8 +43,10 @@ template <typename M>
     return materials.bsdf(at, primitive);
   } else if constexpr (Bsdf<M>) {
     return materials;
-  } else {
+  } else if constexpr (BsdfSource<M>) {
     return materials.bsdf(at);
+  } else {
+    return materials.transform([&](const auto& material) { return bsdf_at(material, at, primitive); });
   }
 }
 

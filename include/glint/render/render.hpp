@@ -36,7 +36,7 @@ template <SceneLike S, RayGenerator G, typename I, typename Block, SampleSequenc
         const Vec2<float> jitter = sampler.next_2d();
         const Vec2<float> lens = sampler.next_2d();
         const Vec2<float> at = Vec2<float>{x, y} + jitter;
-        const Ray<float> ray = generator.ray({at.x * scale.x, 1 - at.y * scale.y}, lens);
+        const Ray<float> ray = generator.ray(Vec2<float>{at.x * scale.x, 1 - at.y * scale.y}, lens);
         const Rgb value = integrator.radiance(counted, ray, sampler);
         report.dropped += block.add(at, value) ? 0U : 1U;
       }
@@ -102,8 +102,10 @@ RenderReport render(const S& scene, const C& camera, const I& integrator, Film<F
     const Vec2i begin = Vec2i{static_cast<int>(tile) % tiles.x, static_cast<int>(tile) / tiles.x} * blocks_a_tile;
     for (int y = begin.y; y < std::min(begin.y + blocks_a_tile, blocks.y); ++y) {
       for (int x = begin.x; x < std::min(begin.x + blocks_a_tile, blocks.x); ++x) {
-        reports[tile] += detail::render_block(scene, generator, integrator, film.block(y * blocks.x + x), size,
-                                              options.samples, sequence);
+        reports[tile] += detail::render_block(
+            scene, generator, integrator,
+            film.block(static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks.x) + static_cast<std::size_t>(x)),
+            size, options.samples, sequence);
       }
     }
     teller.advance(reports[tile].samples);

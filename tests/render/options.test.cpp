@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include <glint/render/options.hpp>  // first, so the header proves it stands alone
+
+#include <support/catch.hpp>
+
+TEST_CASE("render options: by default nobody watches and nobody stops", "[render][options]") {
+  const glint::RenderOptions options;
+  CHECK_FALSE(options.progress);
+  CHECK_FALSE(options.stop.stop_possible());
+  CHECK(options.samples > 0);
+}
