@@ -105,7 +105,9 @@ class FileReplacement {
 
   [[nodiscard]] static std::string unique_suffix() {
     std::random_device device;
-    return "." + std::to_string(device()) + std::to_string(device()) + ".part";
+    std::string suffix(".");  // appended to: GCC 12 warns of `"." + std::string()` where users optimize
+    suffix.append(std::to_string(device())).append(std::to_string(device())).append(".part");
+    return suffix;
   }
 
   std::filesystem::path path_;

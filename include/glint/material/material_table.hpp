@@ -14,8 +14,8 @@ namespace glint {
 /// Requires: every index is below materials.size(), and there is one for each primitive of the scene.
 template <Material M>
 struct MaterialTable {
-  std::vector<M> materials;
-  std::vector<std::uint32_t> of_primitive;
+  std::vector<M> materials{};
+  std::vector<std::uint32_t> of_primitive{};
 
   [[nodiscard]] BsdfOf<M> bsdf(const Surface& at, std::uint64_t primitive) const {
     GLINT_ASSERT(primitive < of_primitive.size() && of_primitive[primitive] < materials.size());
