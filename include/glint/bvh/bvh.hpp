@@ -7,6 +7,8 @@
 
 #include <glint/bvh/build/binned_sah.hpp>
 #include <glint/bvh/concepts.hpp>
+#include <glint/bvh/layout/joined_leaves.hpp>
+#include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>
 #include <glint/bvh/leaves.hpp>
 #include <glint/bvh/pass/statistics.hpp>
@@ -22,7 +24,8 @@
 
 namespace glint {
 
-/// A set of primitives that rays find quickly: the set, a tree over it in some layout, and its leaves. Models RayCaster.
+/// A set of primitives that rays find quickly: the set, a tree over it in some layout, and its leaves. Models
+/// RayCaster.
 ///
 ///     const glint::Bvh bvh{mesh};                                       // a good tree, one thread
 ///     const glint::Bvh bvh{mesh, SweepSah{}, TbbExecutor{}, wide<4>};   // every choice made
@@ -35,83 +38,95 @@ class Bvh {
  public:
   using Scalar = typename S::Scalar;
   using Index = typename S::Index;
+  using Leaves = decltype(make_leaves(std::declval<const S&>(), std::declval<Tree<Scalar, Index>&>()));
   using Nodes = typename LayoutName::template Nodes<Scalar, Index>;
+
+  /// Leaves suited to what tests them.
+  static constexpr BinnedSah default_builder{.block_size = Leaves::block_size};
 
   /// The set is kept by value: where it is a view, what it views must outlive the Bvh, unchanged.
   template <typename Builder = BinnedSah, Executor E = Serial>
     requires BuilderFor<Builder, S>
-  explicit Bvh(S set, const Builder& builder = {}, const E& executor = {}, LayoutName layout = {})
+  explicit Bvh(S set, const Builder& builder = default_builder, const E& executor = {}, LayoutName layout = {})
       : Bvh(set, builder.build(set, executor), layout) {}
 
   template <typename Builder>
-    requires BuilderFor<Builder, S>
-  Bvh(S set, const Builder& builder, LayoutName layout) : Bvh(set, builder.build(set, Serial{}), layout) {}
+    requires BuilderFor<Builder, S> Bvh(S set, const Builder& builder, LayoutName layout)
+        : Bvh(set, builder.build(set, Serial{}), layout) {}
 
-  /// Over a tree made before. Requires: a valid tree over this set.
-  Bvh(S set, Tree<Scalar, Index> tree, LayoutName /*layout*/ = {})
-      : set_(std::move(set)), statistics_(glint::statistics(tree)) {
-    if (!tree.nodes.empty()) bounds_ = tree.nodes.front().bounds;
-    leaves_ = IndexedLeaves<S>(set_, tree);
-    nodes_ = Nodes(tree);
-  }
+    /// Over a tree made before. Requires: a valid tree over this set.
+    Bvh(S set, Tree<Scalar, Index> tree, LayoutName /*layout*/ = {})
+        : set_(std::move(set)),
+          statistics_(glint::statistics(tree)),
+          bounds_(tree.nodes.empty() ? Aabb<Scalar>{} : tree.nodes.front().bounds),
+          leaves_(make_leaves(set_, tree)),
+          nodes_(tree) {}
 
-  [[nodiscard]] const S& set() const noexcept { return set_; }
-  /// Of the tree that was built, before it was laid out.
-  [[nodiscard]] const TreeStatistics& statistics() const noexcept { return statistics_; }
-  /// Memory in use beside the set's own.
-  [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.bytes() + leaves_.bytes(); }
-  [[nodiscard]] Aabb<Scalar> bounds() const noexcept { return bounds_; }
+    [[nodiscard]] const S& set() const noexcept {
+      return set_;
+    }
+    /// Of the tree that was built, before it was laid out.
+    [[nodiscard]] const TreeStatistics& statistics() const noexcept {
+      return statistics_;
+    }
+    /// Memory in use beside the set's own.
+    [[nodiscard]] std::size_t bytes() const noexcept {
+      return nodes_.bytes() + leaves_.bytes();
+    }
+    [[nodiscard]] Aabb<Scalar> bounds() const noexcept {
+      return bounds_;
+    }
 
-  [[nodiscard]] std::optional<Hit<Scalar, Index>> closest(const Ray<Scalar>& ray) const {
-    RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray);
-    const auto prepared = prepared_for(set_, ray);
-    Ray<Scalar> shortened = ray;
-    Hit<Scalar, Index> best{.t = ray.t_max};
-    traverse(nodes_, query, [&](Slots<Index> slots) {
-      if (leaves_.closest(set_, shortened, prepared, slots, best)) query.shrink(best.t);
-      return Walk::Continue;
-    });
-    if (best.primitive == none<Index>) return std::nullopt;
-    return best;
-  }
+    [[nodiscard]] std::optional<Hit<Scalar, Index>> closest(const Ray<Scalar>& ray) const {
+      RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray);
+      const auto prepared = leaves_.prepare(set_, ray);
+      Ray<Scalar> shortened = ray;
+      Hit<Scalar, Index> best{.t = ray.t_max};
+      traverse(nodes_, query, [&](Slots<Index> slots) {
+        if (leaves_.closest(set_, shortened, prepared, slots, best)) query.shrink(best.t);
+        return Walk::Continue;
+      });
+      if (best.primitive == none<Index>) return std::nullopt;
+      return best;
+    }
 
-  [[nodiscard]] bool occluded(const Ray<Scalar>& ray) const {
-    const RayQuery<Scalar, Nodes::width, RayOrder::Any> query(ray);
-    const auto prepared = prepared_for(set_, ray);
-    return traverse(nodes_, query, [&](Slots<Index> slots) {
-             return leaves_.occluded(set_, ray, prepared, slots) ? Walk::Stop : Walk::Continue;
-           }) == Walk::Stop;
-  }
+    [[nodiscard]] bool occluded(const Ray<Scalar>& ray) const {
+      const RayQuery<Scalar, Nodes::width, RayOrder::Any> query(ray);
+      const auto prepared = leaves_.prepare(set_, ray);
+      return traverse(nodes_, query, [&](Slots<Index> slots) {
+               return leaves_.occluded(set_, ray, prepared, slots) ? Walk::Stop : Walk::Continue;
+             }) == Walk::Stop;
+    }
 
-  /// Requires: a hit that this returned for this ray.
-  [[nodiscard]] SurfaceOf<Scalar> surface(const Ray<Scalar>& ray, const Hit<Scalar, Index>& hit) const
-    requires ShadableSet<S>
-  {
-    return set_.surface(ray, hit);
-  }
+    /// Requires: a hit that this returned for this ray.
+    [[nodiscard]] SurfaceOf<Scalar> surface(const Ray<Scalar>& ray,
+                                            const Hit<Scalar, Index>& hit) const requires ShadableSet<S> {
+      return set_.surface(ray, hit);
+    }
 
- private:
-  S set_;
-  TreeStatistics statistics_;
-  Aabb<Scalar> bounds_;
-  IndexedLeaves<S> leaves_;
-  Nodes nodes_;
+   private:
+    S set_;
+    TreeStatistics statistics_;
+    Aabb<Scalar> bounds_;
+    Leaves leaves_;  // before the nodes, for it may renumber slots
+    Nodes nodes_;
 };
 
 template <PrimitiveSet S>
 explicit Bvh(S) -> Bvh<S>;
 template <PrimitiveSet S, typename Builder>
-  requires BuilderFor<Builder, S>
-Bvh(S, Builder) -> Bvh<S>;
+  requires BuilderFor<Builder, S> Bvh(S, Builder)
+->Bvh<S>;
 template <PrimitiveSet S, typename Builder, Executor E>
-  requires BuilderFor<Builder, S>
-Bvh(S, Builder, const E&) -> Bvh<S>;
+  requires BuilderFor<Builder, S> Bvh(S, Builder, const E&)
+->Bvh<S>;
 template <PrimitiveSet S, typename Builder, typename LayoutName>
   requires(BuilderFor<Builder, S> && !Executor<LayoutName>)
-Bvh(S, Builder, LayoutName) -> Bvh<S, LayoutName>;
+Bvh(S, Builder, LayoutName)
+->Bvh<S, LayoutName>;
 template <PrimitiveSet S, typename Builder, Executor E, typename LayoutName>
-  requires BuilderFor<Builder, S>
-Bvh(S, Builder, const E&, LayoutName) -> Bvh<S, LayoutName>;
+  requires BuilderFor<Builder, S> Bvh(S, Builder, const E&, LayoutName)
+->Bvh<S, LayoutName>;
 template <PrimitiveSet S>
 Bvh(S, Tree<typename S::Scalar, typename S::Index>) -> Bvh<S>;
 template <PrimitiveSet S, typename LayoutName>

@@ -2,11 +2,11 @@
 #pragma once
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include <glint/bvh/concepts.hpp>
+#include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
@@ -21,16 +21,28 @@ template <std::floating_point T, std::unsigned_integral I>
   return a.t < b.t || (a.t == b.t && a.primitive < b.primitive);
 }
 
-/// What a set computes once a ray; empty for sets that do not.
+/// What a set without `prepare` computes once a ray.
 struct Unprepared {};
 
-template <PrimitiveSet S>
-[[nodiscard]] GLINT_ALWAYS_INLINE auto prepared_for(const S& set, const Ray<typename S::Scalar>& ray) {
-  if constexpr (PreparedSet<S>)
-    return set.prepare(ray);
-  else
-    return Unprepared{};
-}
+/// How a Bvh keeps what its leaves hold. A set that is tested faster from a copy of its data overloads
+///
+///     L make_leaves(const S& set, Tree<T, I>& tree)      // found by argument-dependent lookup
+///
+/// and may renumber the slots of the tree's leaves, to suit blocks say; hits still carry the caller's indices.
+///
+///     auto prepare(const S&, const Ray<T>&)                                 // once a ray
+///     bool closest(const S&, Ray<T>&, prepared, Slots<I>, Hit<T, I>& best)  // better than `best`: shortens the ray
+///     bool occluded(const S&, const Ray<T>&, prepared, Slots<I>)
+///     std::size_t bytes()
+///     std::size_t block_size      // primitives tested at the price of one, which is what builders want to know
+template <typename L, typename S>
+concept LeavesOf = requires(const L& leaves, const S& set, Ray<typename S::Scalar>& ray, Slots<typename S::Index> slots,
+                            Hit<typename S::Scalar, typename S::Index>& best) {
+  { leaves.closest(set, ray, leaves.prepare(set, ray), slots, best) } -> std::same_as<bool>;
+  { leaves.occluded(set, ray, leaves.prepare(set, ray), slots) } -> std::same_as<bool>;
+  { L::block_size } -> std::convertible_to<std::size_t>;
+  { leaves.bytes() } -> std::same_as<std::size_t>;
+};
 
 /// Leaves that ask the set for each primitive by its index.
 template <PrimitiveSet S>
@@ -38,14 +50,19 @@ class IndexedLeaves {
  public:
   using Scalar = typename S::Scalar;
   using Index = typename S::Index;
+  static constexpr std::size_t block_size = 1;
 
-  IndexedLeaves() = default;
-  IndexedLeaves(const S& /*set*/, Tree<Scalar, Index>& tree) : order_(std::move(tree.order)) {}
+  explicit IndexedLeaves(std::vector<Index> order) noexcept : order_(std::move(order)) {}
 
-  /// Shortens the ray to the closest hit of these slots, if there is one.
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto prepare(const S& set, const Ray<Scalar>& ray) const {
+    if constexpr (PreparedSet<S>)
+      return set.prepare(ray);
+    else
+      return Unprepared{};
+  }
   template <typename Prepared>
-  GLINT_ALWAYS_INLINE bool closest(const S& set, Ray<Scalar>& ray, const Prepared& prepared, Slots<Index> slots,
-                                   Hit<Scalar, Index>& best) const {
+  [[nodiscard]] GLINT_ALWAYS_INLINE bool closest(const S& set, Ray<Scalar>& ray, const Prepared& prepared,
+                                                 Slots<Index> slots, Hit<Scalar, Index>& best) const {
     bool improved = false;
     for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot) {
       const auto hit = intersect(set, ray, prepared, order_[slot]);
@@ -67,10 +84,8 @@ class IndexedLeaves {
 
  private:
   template <typename Prepared>
-  [[nodiscard]] GLINT_ALWAYS_INLINE static std::optional<Hit<Scalar, Index>> intersect(const S& set,
-                                                                                       const Ray<Scalar>& ray,
-                                                                                       const Prepared& prepared,
-                                                                                       Index i) {
+  [[nodiscard]] GLINT_ALWAYS_INLINE static auto intersect(const S& set, const Ray<Scalar>& ray,
+                                                          const Prepared& prepared, Index i) {
     if constexpr (PreparedSet<S>)
       return set.intersect(ray, prepared, i);
     else
@@ -79,5 +94,10 @@ class IndexedLeaves {
 
   std::vector<Index> order_;
 };
+
+template <PrimitiveSet S>
+[[nodiscard]] IndexedLeaves<S> make_leaves(const S& /*set*/, Tree<typename S::Scalar, typename S::Index>& tree) {
+  return IndexedLeaves<S>(std::move(tree.order));
+}
 
 }  // namespace glint

@@ -27,7 +27,7 @@ struct Pending {
 /// deepest level, hence the one more.
 template <Layout L>
 using PendingOf = FixedStack<Pending<typename L::Scalar, typename L::Index>,
-                             std::size_t(Tree<typename L::Scalar, typename L::Index>::max_depth * (L::width - 1) + 1)>;
+                             std::size_t(Tree<typename L::Scalar, typename L::Index>::max_depth*(L::width - 1) + 1)>;
 
 /// Puts a child on the run of its siblings that begins at `base`, which is kept sorted: the smallest key on top.
 template <typename Stack, typename Entry>
@@ -81,23 +81,24 @@ template <Layout L, typename Query>
 /// Ensures: Walk::Stop if a visit said so, which ends the walk; else Walk::Continue.
 /// Cost:    no allocation.
 template <Layout L, typename Query, typename Visit>
-requires QueryFor<Query, typename L::Scalar, L::width>
-GLINT_ALWAYS_INLINE Walk traverse(const L& layout, const Query& query, const Visit& visit) {
-  if (layout.empty()) return Walk::Continue;
-  detail::PendingOf<L> pending;
-  Link<typename L::Index> link = layout.root();
-  while (true) {
-    bool matters = true;
-    while (matters && !link.is_leaf()) matters = detail::descend(layout, query, link, pending);
-    if (matters && visit(link.slots()) == Walk::Stop) return Walk::Stop;
-    bool found = false;
-    while (!found) {
-      if (pending.empty()) return Walk::Continue;
-      const auto next = pending.pop();
-      link = next.link;
-      found = !Query::ordered || next.key <= query.limit();
+  requires QueryFor<Query, typename L::Scalar, L::width> GLINT_ALWAYS_INLINE Walk traverse(const L& layout,
+                                                                                           const Query& query,
+                                                                                           const Visit& visit) {
+    if (layout.empty()) return Walk::Continue;
+    detail::PendingOf<L> pending;
+    Link<typename L::Index> link = layout.root();
+    while (true) {
+      bool matters = true;
+      while (matters && !link.is_leaf()) matters = detail::descend(layout, query, link, pending);
+      if (matters && visit(link.slots()) == Walk::Stop) return Walk::Stop;
+      bool found = false;
+      while (!found) {
+        if (pending.empty()) return Walk::Continue;
+        const auto next = pending.pop();
+        link = next.link;
+        found = !Query::ordered || next.key <= query.limit();
+      }
     }
   }
-}
 
 }  // namespace glint

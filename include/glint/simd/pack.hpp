@@ -9,10 +9,6 @@
 
 #include <glint/core/config.hpp>
 
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
 namespace glint {
 
 /// The lanes of T that fit a machine register; 1 where the compiler has no vector extensions.
@@ -44,7 +40,8 @@ struct WordOf<T, 1> {
   using type = T;
 };
 
-/// One bit a lane of a comparison. The extensions have no word for it, so this takes intrinsics where there are some.
+/// One bit a lane of a comparison. The extensions have no word for it, so this takes the builtins behind the
+/// intrinsics, whose header would be a third of all that including a Bvh costs.
 [[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t lane_bits(bool mask) noexcept {
   return std::uint32_t(mask);
 }
@@ -55,16 +52,22 @@ template <typename Mask>
   constexpr std::size_t bytes = sizeof(Mask);
   constexpr std::size_t lane = sizeof(mask[0]);
 #if defined(__AVX512DQ__)
-  if constexpr (bytes == 64 && lane == 4) return std::uint32_t(_mm512_movepi32_mask(std::bit_cast<__m512i>(mask)));
-  if constexpr (bytes == 64 && lane == 8) return std::uint32_t(_mm512_movepi64_mask(std::bit_cast<__m512i>(mask)));
+  if constexpr (bytes == 64 && lane == 4)
+    return std::uint32_t(__builtin_ia32_cvtd2mask512(std::bit_cast<typename WordOf<int, 16>::type>(mask)));
+  if constexpr (bytes == 64 && lane == 8)
+    return std::uint32_t(__builtin_ia32_cvtq2mask512(std::bit_cast<typename WordOf<long long, 8>::type>(mask)));
 #endif
 #if defined(__AVX__)
-  if constexpr (bytes == 32 && lane == 4) return std::uint32_t(_mm256_movemask_ps(std::bit_cast<__m256>(mask)));
-  if constexpr (bytes == 32 && lane == 8) return std::uint32_t(_mm256_movemask_pd(std::bit_cast<__m256d>(mask)));
+  if constexpr (bytes == 32 && lane == 4)
+    return std::uint32_t(__builtin_ia32_movmskps256(std::bit_cast<typename WordOf<float, 8>::type>(mask)));
+  if constexpr (bytes == 32 && lane == 8)
+    return std::uint32_t(__builtin_ia32_movmskpd256(std::bit_cast<typename WordOf<double, 4>::type>(mask)));
 #endif
 #if defined(__SSE2__)
-  if constexpr (bytes == 16 && lane == 4) return std::uint32_t(_mm_movemask_ps(std::bit_cast<__m128>(mask)));
-  if constexpr (bytes == 16 && lane == 8) return std::uint32_t(_mm_movemask_pd(std::bit_cast<__m128d>(mask)));
+  if constexpr (bytes == 16 && lane == 4)
+    return std::uint32_t(__builtin_ia32_movmskps(std::bit_cast<typename WordOf<float, 4>::type>(mask)));
+  if constexpr (bytes == 16 && lane == 8)
+    return std::uint32_t(__builtin_ia32_movmskpd(std::bit_cast<typename WordOf<double, 2>::type>(mask)));
 #endif
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < bytes / lane; ++i) bits |= std::uint32_t(mask[i] != 0) << i;
@@ -82,6 +85,16 @@ GLINT_ALWAYS_INLINE void truncate_word(const Word& word, std::int32_t* to) noexc
   }
 #endif
   if constexpr (W == 1) *to = std::int32_t(word);
+}
+
+/// The word as it stands: keeps the compiler from fusing the product that made it with what comes next.
+template <typename Word>
+[[nodiscard]] GLINT_ALWAYS_INLINE Word fenced_word(const Word& word) noexcept {
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+  return __builtin_assoc_barrier(word);
+#else
+  return word;  // Clang fuses within an expression only, and this is the end of one
+#endif
 }
 
 }  // namespace detail
@@ -156,6 +169,12 @@ struct Pack {
   [[nodiscard]] GLINT_ALWAYS_INLINE friend Pack max(const Pack& a, const Pack& b) noexcept {
     Pack p;
     for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] > b.word[i] ? a.word[i] : b.word[i];
+    return p;
+  }
+  /// The same lanes, rounded as written: a product passed through here is not fused with a later sum.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend Pack fenced(const Pack& a) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = detail::fenced_word(a.word[i]);
     return p;
   }
   /// Each lane rounded toward zero. Requires: all lanes representable.

@@ -31,6 +31,7 @@ struct BinnedSah {
   int bins = 16;                ///< an axis, in large nodes; clamped to 2 … 32
   float traversal_cost = 1;     ///< of visiting an inner node …
   float intersection_cost = 1;  ///< … against testing a primitive
+  std::size_t block_size = 4;   ///< primitives that a leaf tests at the price of one: TriangleBlocks takes 4
   std::size_t max_leaf_size = 8;
   int max_depth = 64;  ///< clamped to 0 … Tree::max_depth
 
@@ -107,7 +108,7 @@ struct BinPlane {
 
 /// The cheapest plane with something on both sides; an infinite cost where there is none.
 template <std::floating_point T>
-[[nodiscard]] BinPlane<T> best_plane(const Bins<T>& bins, int size) noexcept {
+[[nodiscard]] BinPlane<T> best_plane(const Bins<T>& bins, int size, std::size_t block_size) noexcept {
   BinPlane<T> best;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& box = bins.box[axis];
@@ -118,14 +119,14 @@ template <std::floating_point T>
     for (std::size_t i = std::size_t(size) - 1; i > 0; --i) {
       side.extend(box[i]);
       n += count[i];
-      right_cost[i] = n == 0 ? infinity<T> : side.half_area() * T(n);
+      right_cost[i] = n == 0 ? infinity<T> : side.half_area() * T(blocks(n, block_size));
     }
     side = PackedBox<T>::empty();
     n = 0;
     for (std::size_t i = 1; i < std::size_t(size); ++i) {
       side.extend(box[i - 1]);
       n += count[i - 1];
-      const T cost = side.half_area() * T(n) + right_cost[i];
+      const T cost = side.half_area() * T(blocks(n, block_size)) + right_cost[i];
       if (n != 0 && cost < best.cost) best = {cost, axis, std::int32_t(i), n};
     }
   }
@@ -146,7 +147,7 @@ class BinnedSplitter {
   [[nodiscard]] std::optional<std::pair<Part<T>, Part<T>>> split(const Part<T>& part, std::size_t capacity,
                                                                  const Executor& executor) {
     const Binning<T> binning(part, std::clamp(options_.bins, 2, max_bins));
-    const BinPlane<T> plane = best_plane(filled(part, binning, executor), binning.bins);
+    const BinPlane<T> plane = best_plane(filled(part, binning, executor), binning.bins, options_.block_size);
     if (part.count <= max_leaf_size && !pays(part, plane.cost)) return std::nullopt;
     const bool fits = plane.cost < infinity<T> && std::max(plane.left_count, part.count - plane.left_count) <= capacity;
     if (!fits) return halve<T>(run(part), part);
@@ -167,7 +168,7 @@ class BinnedSplitter {
   [[nodiscard]] bool pays(const Part<T>& part, T plane_cost) const noexcept {
     const T area = part.box.half_area();
     return T(options_.traversal_cost) * area + T(options_.intersection_cost) * plane_cost <
-           T(options_.intersection_cost) * area * T(part.count);
+           T(options_.intersection_cost) * area * T(blocks(part.count, options_.block_size));
   }
 
   template <typename Executor>

@@ -113,6 +113,11 @@ void for_each_chunk(std::size_t n, const Executor& executor, const Body& body) {
   });
 }
 
+/// What n primitives of a leaf cost, in tests. Requires: block_size ≥ 1.
+[[nodiscard]] constexpr std::size_t blocks(std::size_t n, std::size_t block_size) noexcept {
+  return (n + block_size - 1) / block_size;
+}
+
 template <std::floating_point T>
 [[nodiscard]] bool is_bounded(const Aabb<T>& box) noexcept {
   return is_finite(box.lower) && is_finite(box.upper) && !is_empty(box);

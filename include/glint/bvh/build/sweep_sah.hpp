@@ -31,6 +31,7 @@ namespace glint {
 struct SweepSah {
   float traversal_cost = 1;     ///< of visiting an inner node …
   float intersection_cost = 1;  ///< … against testing a primitive
+  std::size_t block_size = 4;   ///< primitives that a leaf tests at the price of one: TriangleBlocks takes 4
   std::size_t max_leaf_size = 8;
   int max_depth = 64;  ///< clamped to 0 … Tree::max_depth
 
@@ -111,14 +112,14 @@ class SweepSplitter {
     for (std::size_t i = part.count - 1; i > 0; --i) {
       const Reference<T>& r = references_[order[i]];
       side.extend(r.lower, r.upper);
-      right_cost[i] = side.half_area() * T(part.count - i);
+      right_cost[i] = side.half_area() * T(blocks(part.count - i, options_.block_size));
     }
     Cut best;
     side = PackedBox<T>::empty();
     for (std::size_t i = 1; i < part.count; ++i) {
       const Reference<T>& r = references_[order[i - 1]];
       side.extend(r.lower, r.upper);
-      const T cost = side.half_area() * T(i) + right_cost[i];
+      const T cost = side.half_area() * T(blocks(i, options_.block_size)) + right_cost[i];
       if (cost < best.cost && std::max(i, part.count - i) <= capacity) best = {cost, i};
     }
     return best;
@@ -126,7 +127,7 @@ class SweepSplitter {
   [[nodiscard]] bool pays(const Part<T>& part, T cut_cost) const noexcept {
     const T area = part.box.half_area();
     return T(options_.traversal_cost) * area + T(options_.intersection_cost) * cut_cost <
-           T(options_.intersection_cost) * area * T(part.count);
+           T(options_.intersection_cost) * area * T(blocks(part.count, options_.block_size));
   }
 
   template <typename Executor>

@@ -27,7 +27,9 @@ class BinaryNodes {
   explicit BinaryNodes(const Tree<T, I>& tree) : nodes_(tree.nodes) {}
 
   [[nodiscard]] bool empty() const noexcept { return nodes_.empty(); }
-  [[nodiscard]] Link<I> root() const noexcept { return {nodes_[0].is_leaf() ? nodes_[0].first : I(0), nodes_[0].count}; }
+  [[nodiscard]] Link<I> root() const noexcept {
+    return {nodes_[0].is_leaf() ? nodes_[0].first : I(0), nodes_[0].count};
+  }
   [[nodiscard]] GLINT_ALWAYS_INLINE BoxPack<T, 2> children(I node) const noexcept {
     const Aabb<T>& a = nodes_[nodes_[node].first].bounds;
     const Aabb<T>& b = nodes_[nodes_[node].first + 1].bounds;

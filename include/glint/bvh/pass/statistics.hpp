@@ -13,11 +13,11 @@ namespace glint {
 struct TreeStatistics {
   std::size_t nodes = 0;
   std::size_t leaves = 0;
-  std::size_t primitives = 0;           ///< in the leaves
-  std::size_t left_out = 0;             ///< without a finite, non-empty box
-  int depth = 0;                        ///< steps from the root to the deepest leaf
-  double sah_cost = 0;                  ///< see `statistics`
-  std::size_t bytes = 0;                ///< of nodes and order
+  std::size_t primitives = 0;             ///< in the leaves
+  std::size_t left_out = 0;               ///< without a finite, non-empty box
+  int depth = 0;                          ///< steps from the root to the deepest leaf
+  double sah_cost = 0;                    ///< see `statistics`
+  std::size_t bytes = 0;                  ///< of nodes and order
   std::vector<std::size_t> leaf_sizes{};  ///< [n]: the number of leaves of n primitives
 
   [[nodiscard]] friend bool operator==(const TreeStatistics&, const TreeStatistics&) = default;

@@ -22,7 +22,8 @@ enum class RayOrder { NearestFirst, Any };
 
 /// The boxes that a ray passes through within its interval: ConservativeSlab for N boxes at once.
 ///
-/// A ray that lies in a plane of a box makes a NaN there, which `min` and `max` drop because what is known comes second.
+/// A ray that lies in a plane of a box makes a NaN there, which `min` and `max` drop because what is known comes
+/// second.
 ///
 /// Ensures: no box is left out that holds a point of the ray, t_min < 0 included.
 template <std::floating_point T, int N, RayOrder Order>
