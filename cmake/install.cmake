@@ -20,6 +20,6 @@ install(FILES ${PROJECT_BINARY_DIR}/glint-config.cmake ${PROJECT_BINARY_DIR}/gli
         DESTINATION ${package_dir} COMPONENT development)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
-if(TARGET glint)
-  install(TARGETS glint COMPONENT program)
+if(TARGET glint_program)
+  install(TARGETS glint_program COMPONENT program)
 endif()

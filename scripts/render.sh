@@ -10,7 +10,7 @@ source "$here/dependencies.sh"
 glint_require_build
 glint_say "building the glint program"
 glint_configure release
-glint_build release glint
+glint_build release glint_program
 
 glint_say "rendering the Cornell box"
 started=$SECONDS
