@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <glint/io/error.hpp>
+#include <glint/io/image_limits.hpp>
 
 namespace glint::detail {
 
@@ -37,7 +38,8 @@ namespace glint::detail {
 
 inline constexpr std::string_view png_signature{"\x89PNG\r\n\x1a\n"};
 
-/// Checks what stb_image does not: that each chunk is whole and unchanged, and that the last one is there.
+/// Checks what stb_image does not, or not in so many words: that each chunk is whole and unchanged, that the last one
+/// is there, and that the size is below max_image_pixels.
 ///
 /// Requires: the bytes begin with png_signature.
 /// Errors:   IoError.
@@ -49,10 +51,12 @@ inline void require_whole_png(const std::filesystem::path& path, std::string_vie
     if (length > rest.size() - frame) break;
     const std::string_view checked = rest.substr(4, 4 + length);
     const std::string_view type = checked.substr(0, 4);
+    const std::string_view data = checked.substr(4);
     if (crc32(checked) != big_endian_32(rest.substr(8 + length))) {
       throw IoError(path, "is damaged: the checksum at byte " +
                               std::to_string(bytes.size() - rest.size() + 8 + length) + " disagrees");
     }
+    if (type == "IHDR" && length >= 8) require_readable_size(path, big_endian_32(data), big_endian_32(data.substr(4)));
     if (type == "IEND") return;
     rest.remove_prefix(frame + length);
   }
