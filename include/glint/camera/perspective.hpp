@@ -2,8 +2,6 @@
 #pragma once
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include <glint/camera/concepts.hpp>
 #include <glint/camera/view_frame.hpp>
 #include <glint/math/constants.hpp>
@@ -18,7 +16,7 @@ struct PerspectiveRays {
   Vec3<float> upward{0.0F, 2.0F, 0.0F};     ///< its left edge
 
   [[nodiscard]] Ray<float> ray(const Vec2<float>& film, const Vec2<float>& /*lens*/) const noexcept {
-    return {.origin = eye, .direction = glm::normalize(corner + film.x * across + film.y * upward)};
+    return {.origin = eye, .direction = normalized(corner + film.x * across + film.y * upward)};
   }
 };
 

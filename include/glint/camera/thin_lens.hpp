@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <glm/geometric.hpp>
-
 #include <glint/camera/concepts.hpp>
 #include <glint/camera/perspective.hpp>
 #include <glint/math/constants.hpp>
@@ -20,7 +18,7 @@ struct ThinLensRays {
     const Vec2<float> at = concentric_disk(lens);
     const Vec3<float> shift = at.x * lens_x + at.y * lens_y;
     const Vec3<float> target = focus.corner + film.x * focus.across + film.y * focus.upward;
-    return {.origin = focus.eye + shift, .direction = glm::normalize(target - shift)};
+    return {.origin = focus.eye + shift, .direction = normalized(target - shift)};
   }
 };
 

@@ -42,17 +42,22 @@ template <std::floating_point T>
   return {.origin = origin, .direction = target - origin, .t_max = T(1) - rounding_bound<T>(16)};
 }
 
+/// A point off a surface, on the side of its geometric normal that `viewer` is on, where a ray from there may end
+/// without meeting the surface: moved out further than the position's error, by what an intersector loses when it looks
+/// from that far away.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> offset_toward(const SurfaceOf<T>& at, const Vec3<T>& viewer) noexcept {
+  const Vec3<T> away = viewer - at.position;
+  SurfaceOf<T> seen_from_afar = at;
+  seen_from_afar.position_error += Vec3<T>(rounding_bound<T>(16) * max_component(abs(away)));
+  return offset_origin(seen_from_afar, away);
+}
+
 /// The ray from one surface to another: both ends are off their surfaces, so that neither hides the other.
-///
-/// The far end is moved out further than its own error, by what an intersector loses when it looks from as far away
-/// as `at` is.
 template <std::floating_point T>
 [[nodiscard]] Ray<T> spawn_ray_to(const SurfaceOf<T>& at, const SurfaceOf<T>& target) noexcept {
-  const Vec3<T> away = target.position - at.position;
-  SurfaceOf<T> seen_from_afar = target;
-  seen_from_afar.position_error += Vec3<T>(rounding_bound<T>(16) * max_component(abs(away)));
-  const Vec3<T> origin = offset_origin(at, away);
-  return {.origin = origin, .direction = offset_origin(seen_from_afar, -away) - origin, .t_max = one_minus_epsilon<T>};
+  const Vec3<T> origin = offset_origin(at, target.position - at.position);
+  return {.origin = origin, .direction = offset_toward(target, at.position) - origin, .t_max = one_minus_epsilon<T>};
 }
 
 }  // namespace glint

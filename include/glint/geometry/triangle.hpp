@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <glint/core/config.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
@@ -84,7 +85,7 @@ template <std::floating_point T>
 /// Errors: the normal of a triangle without area is (0, 0, 1).
 /// Source: error analysis as in Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 6.8.
 template <std::floating_point T>
-[[nodiscard]] SurfaceOf<T> surface_at(const Triangle<T>& triangle, T w1, T w2) noexcept {
+[[nodiscard]] GLINT_ALWAYS_INLINE SurfaceOf<T> surface_at(const Triangle<T>& triangle, T w1, T w2) noexcept {
   const detail::ScaledNormal<T> frame(triangle);
   const T length = frame.length();
   const T inverse = T(1) / length;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include <glint/core/config.hpp>
 #include <glint/core/strided.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/hit.hpp>
@@ -65,7 +66,7 @@ struct TriangleMesh {
 
   /// The shading normal is interpolated where there are normals; uv and tangent follow the uvs where there are any,
   /// else they are the triangle's own. The tangent is zero where the uvs span no area.
-  [[nodiscard]] SurfaceOf<T> surface(const Ray<T>& /*ray*/, const Hit<T>& hit) const noexcept {
+  [[nodiscard]] GLINT_ALWAYS_INLINE SurfaceOf<T> surface(const Ray<T>& /*ray*/, const Hit<T>& hit) const noexcept {
     const Index i = hit.primitive;
     const Triangle<T> shape = triangle(i);
     const T w1 = hit.uv.x;

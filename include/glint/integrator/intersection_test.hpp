@@ -46,7 +46,8 @@ struct IntersectionTest {
     const Vec3<float> wo = at.to_local(at.wo);
     Rgb sum;
     for (std::uint32_t i = 0; i < scene.light_count(); ++i) {
-      const auto light = scene.light(i).sample(at.surface.position, sampler.next_2d());
+      const Vec2<float> u = is_delta(scene.light(i)) ? Vec2<float>(0) : sampler.next_2d();
+      const auto light = scene.light(i).sample(at.surface.position, u);
       if (light) sum += reflected(scene, at, wo, *light) * (fade(*light) / light->pdf);
     }
     return sum;

@@ -41,7 +41,7 @@ struct AreaLight {
                        .distance = distance,
                        .radiance = radiance,
                        .pdf = chosen.pdf * squared * distance / facing,
-                       .target = offset_origin(chosen.surface, -to_light)};
+                       .target = offset_toward(chosen.surface, from)};
   }
 
   [[nodiscard]] Rgb emission(const Surface& at, const Vec3<float>& wo) const noexcept {

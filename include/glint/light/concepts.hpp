@@ -37,6 +37,9 @@ struct LightSample {
 ///     Rgb background(const Vec3<float>& direction) const;                       // radiance a leaving ray meets
 ///     float pdf(const Vec3<float>& direction) const;                            // 1/sr, of sample() choosing it
 ///
+/// A light whose samples are all alike, whatever the random numbers, has a `static constexpr bool is_delta = true`, so
+/// that none are drawn for it.
+///
 /// Laws: testing/light_laws.hpp.
 template <typename L>
 concept Light = requires(const L& light, const Vec3<float>& from, const Vec2<float>& u, const Aabb<float>& scene) {
@@ -55,6 +58,16 @@ concept InfiniteLight = Light<L> && requires(const L& light, const Vec3<float>& 
   { light.background(w) } -> std::same_as<Rgb>;
   { light.pdf(w) } -> std::same_as<float>;
 };
+
+template <Light L>
+[[nodiscard]] constexpr bool is_delta(const L& /*light*/) noexcept {
+  if constexpr (requires { L::is_delta; }) return L::is_delta;
+  return false;
+}
+template <typename... Ts>
+[[nodiscard]] constexpr bool is_delta(const OneOf<Ts...>& light) noexcept {
+  return light.visit([](const auto& x) { return is_delta(x); });
+}
 
 /// The four optional questions, asked of any light: the answer is zero where the light has none.
 template <typename L>

@@ -14,6 +14,8 @@ namespace glint {
 /// Units:    irradiance on a surface that faces the light, W/m².
 /// Requires: |direction| > 0; it is where the light travels to.
 struct DirectionalLight {
+  static constexpr bool is_delta = true;
+
   Vec3<float> direction{0.0F, -1.0F, 0.0F};
   Rgb irradiance{1};
 

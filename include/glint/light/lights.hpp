@@ -31,6 +31,8 @@ Lights(std::vector<L>, std::vector<std::uint32_t>) -> Lights<L>;
 
 /// The light that is not there: for scenes without lights.
 struct Darkness {
+  static constexpr bool is_delta = true;
+
   [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& /*from*/,
                                                   const Vec2<float>& /*u*/) const noexcept {
     return std::nullopt;

@@ -12,6 +12,8 @@ namespace glint {
 ///
 /// Units: intensity in watts a steradian; 4π of it is the flux.
 struct PointLight {
+  static constexpr bool is_delta = true;
+
   Vec3<float> position{0.0F};
   Rgb intensity{1};
 

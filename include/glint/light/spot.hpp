@@ -16,6 +16,8 @@ namespace glint {
 /// Units:    intensity on the axis, in watts a steradian; angles from the axis.
 /// Requires: |direction| > 0, 0 ≤ falloff_start_radians ≤ cone_angle_radians ≤ π.
 struct SpotLight {
+  static constexpr bool is_delta = true;
+
   Vec3<float> position{0.0F};
   Vec3<float> direction{0.0F, 0.0F, -1.0F};
   Rgb intensity{1};

@@ -9,6 +9,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <glint/core/config.hpp>
+
 namespace glint {
 
 /// GLM's vectors with the layout spelled out: GLM_FORCE_DEFAULT_ALIGNED_GENTYPES cannot change it. `glm::vec3`, aligned
@@ -48,6 +50,12 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] constexpr T length_squared(const Vec3<T>& v) noexcept {
   return v.x * v.x + v.y * v.y + v.z * v.z;
+}
+
+/// The vector scaled to unit length: glm::normalize for hot loops, where compilers leave that one a call.
+template <std::floating_point T>
+[[nodiscard]] GLINT_ALWAYS_INLINE Vec3<T> normalized(const Vec3<T>& v) noexcept {
+  return v * (T(1) / std::sqrt(length_squared(v)));
 }
 
 template <std::floating_point T>

@@ -49,16 +49,18 @@ class Scene {
 
   /// The closest surface on the ray. Bsdf and frame are worked out there; nothing where the ray meets nothing.
   [[nodiscard]] std::optional<Interaction<Bsdf>> interact(const Ray<float>& ray) const {
-    const auto in_scene = cast_ray(ray);
+    std::optional<Interaction<Bsdf>> result;
+    const auto& in_scene = cast_ray(ray);
     const auto hit = geometry_.closest(in_scene);
-    if (!hit) return std::nullopt;
-    const Surface surface = surface_cast<float>(geometry_.surface(in_scene, *hit));
-    return Interaction<Bsdf>{.surface = surface,
-                             .frame = Frame<float>::from_normal_and_tangent(surface.shading_normal, surface.tangent),
-                             .wo = -glm::normalize(ray.direction),
-                             .bsdf = bsdf_at(materials_, surface, hit->primitive),
-                             .primitive = hit->primitive,
-                             .light = lights_.at_primitive(hit->primitive)};
+    if (!hit) return result;
+    Interaction<Bsdf>& at = result.emplace();  // filled in place: copies of what was just written stall the processor
+    at.surface = surface_cast<float>(geometry_.surface(in_scene, *hit));
+    at.frame = Frame<float>::from_normal_and_tangent(at.surface.shading_normal, at.surface.tangent);
+    at.wo = -normalized(ray.direction);
+    at.bsdf = bsdf_at(materials_, at.surface, hit->primitive);
+    at.primitive = hit->primitive;
+    at.light = lights_.at_primitive(hit->primitive);
+    return result;
   }
 
   [[nodiscard]] bool occluded(const Ray<float>& ray) const { return geometry_.occluded(cast_ray(ray)); }
@@ -84,9 +86,9 @@ class Scene {
   }
 
  private:
-  [[nodiscard]] static auto cast_ray(const Ray<float>& ray) noexcept {
+  [[nodiscard]] static decltype(auto) cast_ray(const Ray<float>& ray) noexcept {
     if constexpr (std::is_same_v<Scalar, float>) {
-      return ray;
+      return (ray);
     } else {
       return Ray<Scalar>{Vec3<Scalar>(ray.origin), Vec3<Scalar>(ray.direction), Scalar(ray.t_min), Scalar(ray.t_max),
                          Scalar(ray.time)};
