@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -72,27 +73,44 @@ namespace detail {
   return {window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
 }
 
+/// Refuses a header that claims more than an uncompressed file holds: OpenEXR would make pixels of whatever is in its
+/// buffer.
+inline void require_uncompressed_pixels(const std::filesystem::path& path, const Imf::Header& header) {
+  if (header.compression() != Imf::NO_COMPRESSION) return;
+  std::uintmax_t pixel_size = 0;
+  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+    const bool subsampled = channel.channel().xSampling != 1 || channel.channel().ySampling != 1;
+    if (!subsampled) pixel_size += channel.channel().type == Imf::HALF ? 2 : 4;
+  }
+  const Vec2i size = window_size(header.dataWindow());
+  const auto pixels = static_cast<std::uintmax_t>(size.x) * static_cast<std::uintmax_t>(size.y);
+  std::error_code unknown;
+  if (std::filesystem::file_size(path, unknown) >= pixel_size * pixels || unknown) return;
+  throw IoError(path, "is not a complete OpenEXR image: the header claims " + std::to_string(pixels) +
+                          " pixels, more than the file holds");
+}
+
+/// Where OpenEXR is to put the channels of a window's pixels, row by row from `first`.
+[[nodiscard]] inline Imf::FrameBuffer frame_buffer(const std::array<std::string, 3>& names, Rgb& first,
+                                                   const Imath::Box2i& window) {
+  const std::size_t row = sizeof(Rgb) * static_cast<std::size_t>(window_size(window).x);
+  const std::array<float*, 3> channels{&first.r, &first.g, &first.b};
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < 3 && (c == 0 || names[c] != names[0]); ++c) {
+    frame.insert(names[c], Imf::Slice::Make(Imf::FLOAT, channels[c], window, sizeof(Rgb), row));
+  }
+  return frame;
+}
+
 /// The pixels of the data window.
 [[nodiscard]] inline Image read_exr_pixels(const std::filesystem::path& path, Imf::MultiPartInputFile& file) {
-  const Imf::Header& header = file.header(0);
-  const auto& window = header.dataWindow();
-  const auto names = color_channels(path, header.channels());
-  Image image{window_size(window)};
-  const std::size_t stride = sizeof(Rgb);
-  const std::size_t row = stride * static_cast<std::size_t>(image.width());
-  const auto slice = [&](float& first) { return Imf::Slice::Make(Imf::FLOAT, &first, window, stride, row); };
-  const bool gray = names[0] == names[1];
-  Rgb& first = image(0, 0);
-  Imf::FrameBuffer target;
-  target.insert(names[0], slice(first.r));
-  if (!gray) {
-    target.insert(names[1], slice(first.g));
-    target.insert(names[2], slice(first.b));
-  }
+  const auto& window = file.header(0).dataWindow();
+  const auto names = color_channels(path, file.header(0).channels());
   Imf::InputPart part(file, 0);
-  part.setFrameBuffer(target);
+  Image image{window_size(window)};
+  part.setFrameBuffer(frame_buffer(names, image(0, 0), window));
   part.readPixels(window.min.y, window.max.y);
-  if (gray) {
+  if (names[0] == names[1]) {
     for (Rgb& pixel : image.pixels()) pixel = Rgb(pixel.r);
   }
   return image;
@@ -123,6 +141,7 @@ namespace detail {
     require_readable_size(path, std::int64_t{window.max.x} - window.min.x + 1,
                           std::int64_t{window.max.y} - window.min.y + 1);
   }
+  require_uncompressed_pixels(path, header);
   return framed(read_exr_pixels(path, file), data, display);
 }
 
@@ -182,8 +201,8 @@ void write_exr_pixels(std::ofstream& stream, const std::filesystem::path& path, 
 /// Shapes:   the display window's size. Pixels the file has no data for are black; data outside is left out. R, G and B
 ///           are read, alpha is not applied; a single channel of any name, alpha aside, gives gray.
 /// Units:    as in the file: taken to be linear Rec. 709, whatever its chromaticities say.
-/// Errors:   IoError where the file is missing, damaged, truncated, larger than max_image_pixels, deep, or has other
-///           channels. A part of an image is never returned.
+/// Errors:   IoError where the file is missing, truncated, visibly damaged, larger than max_image_pixels, deep, or has
+///           other channels. OpenEXR files carry no checksums: changed bits may only change pixels.
 [[nodiscard]] inline Image read_exr(const std::filesystem::path& path) {
   std::ifstream stream = open_file(path);
   try {
