@@ -61,8 +61,8 @@ class IndexedLeaves {
       return Unprepared{};
   }
   template <typename Prepared>
-  [[nodiscard]] GLINT_ALWAYS_INLINE bool closest(const S& set, Ray<Scalar>& ray, const Prepared& prepared,
-                                                 Slots<Index> slots, Hit<Scalar, Index>& best) const {
+  GLINT_ALWAYS_INLINE bool closest(const S& set, Ray<Scalar>& ray, const Prepared& prepared, Slots<Index> slots,
+                                   Hit<Scalar, Index>& best) const {
     bool improved = false;
     for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot) {
       const auto hit = intersect(set, ray, prepared, order_[slot]);

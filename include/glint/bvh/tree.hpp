@@ -15,7 +15,7 @@ namespace glint {
 /// [first, first + count) of the tree's order.
 template <std::floating_point T, std::unsigned_integral I = std::uint32_t>
 struct BinaryNode {
-  Aabb<T> bounds;
+  Aabb<T> bounds{};
   I first = 0;
   I count = 0;
 

@@ -38,8 +38,8 @@ class JoinedLeaves {
     return prepare(set, ray, Every{});
   }
   template <typename Prepared>
-  [[nodiscard]] GLINT_ALWAYS_INLINE bool closest(const Set& set, Ray<Scalar>& ray, const Prepared& prepared,
-                                                 Slots<Index> slots, Hit<Scalar, Index>& best) const {
+  GLINT_ALWAYS_INLINE bool closest(const Set& set, Ray<Scalar>& ray, const Prepared& prepared, Slots<Index> slots,
+                                   Hit<Scalar, Index>& best) const {
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
       return (std::size_t{0} | ... | std::size_t(closest_of<K>(set, ray, prepared, slots.first, best))) != 0;
     }

@@ -71,8 +71,8 @@ class TriangleBlocks {
             all(ray.t_min)};
   }
 
-  [[nodiscard]] GLINT_ALWAYS_INLINE bool closest(const Mesh& mesh, Ray<T>& ray, const Prepared& prepared,
-                                                 Slots<Index> slots, Hit<T, Index>& best) const noexcept {
+  GLINT_ALWAYS_INLINE bool closest(const Mesh& mesh, Ray<T>& ray, const Prepared& prepared, Slots<Index> slots,
+                                   Hit<T, Index>& best) const noexcept {
     const Index before = best.primitive;
     const T t_before = best.t;
     for (std::size_t i = slots.first; i != std::size_t(slots.first) + slots.count; ++i) {
