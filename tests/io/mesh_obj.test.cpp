@@ -115,8 +115,8 @@ TEST_CASE("obj: a polygon may have more corners than a byte counts", "[io][obj]"
     const int along = i % 150;
     const int x = side == 0 ? along : side == 1 ? 150 : side == 2 ? 150 - along : 0;
     const int y = side == 0 ? 0 : side == 1 ? along : side == 2 ? 150 : 150 - along;
-    text += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n";
-    face += " " + std::to_string(i + 1);
+    text.append("v ").append(std::to_string(x)).append(" ").append(std::to_string(y)).append(" 0\n");
+    face.append(" ").append(std::to_string(i + 1));
   }
   const ObjMesh mesh = parsed(text + face + "\n" + "f 1 2 300\n");
   CHECK(mesh.buffers.indices.size() == 3 * (598 + 1));
