@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <initializer_list>
 #include <limits>
@@ -26,11 +27,18 @@ struct JsonSource {
   std::vector<std::string> warnings{};
   bool strict = false;  ///< oddities are errors
 
+  /// The whole is at no pointer.
+  [[nodiscard]] IoError error(std::string_view pointer, std::string_view problem) const {
+    return pointer.empty() ? IoError(path, problem) : IoError(path, pointer, problem);
+  }
+
+  /// Records something to know, which is wrong in no way.
+  void note(std::string_view pointer, std::string_view remark) { warnings.emplace_back(error(pointer, remark).what()); }
+
   /// Records an oddity, or throws it where `strict`.
   void warn(std::string_view pointer, std::string_view problem) {
-    const IoError error(path, pointer, problem);
-    if (strict) throw error;
-    warnings.emplace_back(error.what());
+    if (strict) throw error(pointer, problem);
+    note(pointer, problem);
   }
 };
 
@@ -60,7 +68,22 @@ namespace detail {
   return "; did you mean \"" + *nearest + "\"?";
 }
 
-/// "a number", "an object", …: what a sentence says was found.
+/// The JSON pointer of a member. RFC 6901: ~ and / in keys are written ~0 and ~1.
+[[nodiscard]] inline std::string child_pointer(const std::string& parent, std::string_view key) {
+  std::string result = parent + "/";
+  for (const char c : key) {
+    if (c == '~') {
+      result += "~0";
+    } else if (c == '/') {
+      result += "~1";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+/// "an object", "an array of 3", or the value itself: what a sentence says was found.
 [[nodiscard]] inline std::string described(const nlohmann::json& value) {
   if (value.is_null()) return "null";
   if (value.is_object()) return "an object";
@@ -84,16 +107,25 @@ class JsonValue {
   [[nodiscard]] const std::string& pointer() const noexcept { return pointer_; }
   [[nodiscard]] JsonSource& source() const noexcept { return *source_; }
 
-  [[noreturn]] void fail(std::string_view problem) const { throw IoError(source_->path, pointer_, problem); }
+  [[noreturn]] void fail(std::string_view problem) const { throw source_->error(pointer_, problem); }
   [[noreturn]] void fail_expected(std::string_view expected) const {
     fail("found " + detail::described(*value_) + ", expected " + std::string(expected));
   }
 
   [[nodiscard]] float number() const {
     if (!value_->is_number()) fail_expected("a number");
-    const float number = static_cast<float>(value_->get<double>());
-    if (!std::isfinite(number)) fail_expected("a number that a 32-bit float can hold");
-    return number;
+    const double number = value_->get<double>();
+    if (!(std::abs(number) <= std::numeric_limits<float>::max())) {
+      fail_expected("a number that a 32-bit float can hold");
+    }
+    return static_cast<float>(number);
+  }
+
+  /// A number for which `accepts` holds.
+  template <typename Predicate>
+  [[nodiscard]] float number_where(Predicate&& accepts, std::string_view expected) const {
+    if (!value_->is_number() || !accepts(number())) fail_expected(expected);
+    return number();
   }
 
   /// An integer in [lowest, highest]; 32.0 is one too.
@@ -105,6 +137,15 @@ class JsonValue {
     const double number = value_->get<double>();
     if (number != std::floor(number) || number < lowest || number > highest) fail_expected(expected);
     return static_cast<int>(number);
+  }
+
+  /// Any integer from 0 up that 64 bits can hold.
+  [[nodiscard]] std::uint64_t seed() const {
+    if (value_->is_number_unsigned()) return value_->get<std::uint64_t>();
+    const double number = value_->is_number_float() ? value_->get<double>() : -1;
+    if (!(number >= 0 && number < 0x1p64 && number == std::floor(number)))
+      fail_expected("an integer from 0 to 2^64 - 1");
+    return static_cast<std::uint64_t>(number);
   }
 
   [[nodiscard]] bool flag() const {
@@ -176,7 +217,7 @@ class JsonObject {
     asked_.push_back(key);
     const auto found = value_.json().find(key);
     if (found == value_.json().end()) return std::nullopt;
-    return JsonValue(*found, child_pointer(key), value_.source());
+    return JsonValue(*found, detail::child_pointer(pointer(), key), value_.source());
   }
 
   [[nodiscard]] JsonValue require(const std::string& key) {
@@ -215,9 +256,12 @@ class JsonObject {
   }
   [[nodiscard]] float positive_or(const std::string& key, float fallback) {
     return read_or(key, fallback, [](const JsonValue& v) {
-      const float number = v.number();
-      if (!(number > 0)) v.fail_expected("a number above 0");
-      return number;
+      return v.number_where([](float number) { return number > 0; }, "a number above 0");
+    });
+  }
+  [[nodiscard]] float not_negative_or(const std::string& key, float fallback) {
+    return read_or(key, fallback, [](const JsonValue& v) {
+      return v.number_where([](float number) { return number >= 0; }, "a number from 0 up");
     });
   }
 
@@ -232,7 +276,7 @@ class JsonObject {
     std::vector<std::pair<std::string, JsonValue>> result;
     for (const auto& [key, value] : value_.json().items()) {
       asked_.push_back(key);
-      result.emplace_back(key, JsonValue(value, child_pointer(key), value_.source()));
+      result.emplace_back(key, JsonValue(value, detail::child_pointer(pointer(), key), value_.source()));
     }
     return result;
   }
@@ -244,26 +288,11 @@ class JsonObject {
   void finish() {
     for (const auto& [key, value] : value_.json().items()) {
       if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-      value_.source().warn(child_pointer(key), "unknown key" + detail::suggestion(key, asked_));
+      value_.source().warn(detail::child_pointer(pointer(), key), "unknown key" + detail::suggestion(key, asked_));
     }
   }
 
  private:
-  /// RFC 6901: ~ and / in keys are written ~0 and ~1.
-  [[nodiscard]] std::string child_pointer(std::string_view key) const {
-    std::string result = pointer() + "/";
-    for (const char c : key) {
-      if (c == '~') {
-        result += "~0";
-      } else if (c == '/') {
-        result += "~1";
-      } else {
-        result += c;
-      }
-    }
-    return result;
-  }
-
   JsonValue value_;
   std::vector<std::string> asked_;
 };

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include <glint/camera/orthographic.hpp>
+#include <glint/camera/panoramic.hpp>
 #include <glint/camera/perspective.hpp>
 #include <glint/camera/thin_lens.hpp>
 #include <glint/core/one_of.hpp>
 #include <glint/film/filter.hpp>
 #include <glint/integrator/intersection_test.hpp>
 #include <glint/integrator/path.hpp>
+#include <glint/io/image_limits.hpp>
 #include <glint/io/json_object.hpp>
 #include <glint/light/point.hpp>
 #include <glint/math/constants.hpp>
@@ -24,7 +26,7 @@
 /// What a scene file says about how to render it: everything but the scene itself.
 namespace glint {
 
-using SceneCamera = OneOf<Perspective, ThinLens, Orthographic>;
+using SceneCamera = OneOf<Perspective, ThinLens, Orthographic, Panoramic>;
 using SceneFilter = OneOf<BoxFilter, TentFilter, GaussianFilter, MitchellFilter>;
 using SceneIntegrator = OneOf<IntersectionTest, Path>;
 using SceneSequence = OneOf<Independent, Stratified>;
@@ -37,7 +39,7 @@ struct FilmSettings {
 struct IntegratorSettings {
   SceneIntegrator integrator = Path{};
   int samples = 32;                        ///< camera paths a pixel
-  std::vector<PointLight> point_lights{};  ///< those that `intersection_test` brings along
+  std::vector<PointLight> point_lights{};  ///< those that the integrator's own keys name
 };
 
 enum class SamplerKind : std::uint8_t { Independent, Stratified };
@@ -82,23 +84,32 @@ template <typename T, std::size_t N>
   return found ? choice(*found, choices) : fallback;
 }
 
-[[nodiscard]] inline PointLight read_point_light(JsonObject light) {
-  light.ignore({"type"});
-  const Vec3<float> position = light.require("position").vec3();
-  if (light.has("flux") == light.has("intensity")) light.fail("a point light has either \"flux\" or \"intensity\"");
-  const PointLight result = light.has("flux") ? PointLight::from_flux(position, light.require("flux").color())
-                                              : PointLight{position, light.require("intensity").color()};
-  light.finish();
-  return result;
+/// Where there is just one "type", which may be left out.
+inline void require_type(JsonObject& object, std::string_view name) {
+  const std::array<std::pair<std::string_view, bool>, 1> only{{{name, true}}};
+  (void)choice_or(object, "type", true, only);
 }
 
-[[nodiscard]] inline std::vector<PointLight> read_own_point_lights(JsonObject& integrator, bool scene_has_lights) {
+[[nodiscard]] inline PointLight read_point_light(JsonObject& light) {
+  require_type(light, "point");
+  const Vec3<float> position = light.require("position").vec3();
+  if (light.has("flux") == light.has("intensity")) light.fail("a point light has either \"flux\" or \"intensity\"");
+  return light.has("flux") ? PointLight::from_flux(position, light.require("flux").color())
+                           : PointLight{position, light.require("intensity").color()};
+}
+
+/// The point lights that an integrator brings along: those it names or, where `has_default`, one over the origin.
+[[nodiscard]] inline std::vector<PointLight> read_own_point_lights(JsonObject& integrator, bool has_default) {
   std::vector<PointLight> result;
-  for (const JsonValue& light : integrator.items("point_lights")) result.push_back(read_point_light(JsonObject(light)));
+  for (const JsonValue& item : integrator.items("point_lights")) {
+    JsonObject light(item);
+    result.push_back(read_point_light(light));
+    light.finish();
+  }
   const bool named = integrator.has("point_light_position") || integrator.has("point_light_flux");
   const Vec3<float> position = integrator.vec3_or("point_light_position", {0, 5, 0});
   const Rgb flux = integrator.color_or("point_light_flux", 1);
-  if (named || (result.empty() && !scene_has_lights)) result.push_back(PointLight::from_flux(position, flux));
+  if (named || (has_default && result.empty())) result.push_back(PointLight::from_flux(position, flux));
   return result;
 }
 
@@ -127,24 +138,19 @@ inline constexpr std::array<std::pair<std::string_view, Falloff>, 3> falloffs{
   const auto kind = detail::choice_or(object, "type", IntegratorKind::Path, detail::integrator_kinds);
   const bool direct = kind == IntegratorKind::IntersectionTest;
   if (kind == IntegratorKind::Bdpt || kind == IntegratorKind::Photon) {
-    object.source().warnings.push_back(object.source().path.string() + ":" + object.pointer() +
-                                       "/type: rendered with \"path\", as this integrator is not available");
+    object.source().note(object.pointer() + "/type", "rendered with \"path\", as this integrator is not available");
   }
   IntegratorSettings result;
   result.samples = object.integer_or("spp", direct ? 8 : 32, 1, 1 << 24);
   const int max_depth = object.integer_or("max_depth", direct ? 16 : 12, 1);
-  const float roulette = object.read_or("rr_threshold", 0.1F, [](const JsonValue& v) {
-    if (!(v.number() >= 0)) v.fail_expected("a number from 0 up");
-    return v.number();
-  });
+  const float roulette = object.not_negative_or("rr_threshold", 0.1F);
   const auto strategy = detail::choice_or(object, "profile", LightStrategy::Mis, detail::light_strategies);
   const auto falloff = detail::choice_or(object, "falloff", Falloff::InverseSquare, detail::falloffs);
-  const auto own_lights = detail::read_own_point_lights(object, scene_has_lights);
+  result.point_lights = detail::read_own_point_lights(object, direct && !scene_has_lights);
   object.ignore({"n_photons", "n_iterations", "n_near_photons"});
   object.finish();
   if (direct) {
     result.integrator = IntersectionTest{.max_depth = max_depth, .falloff = falloff};
-    result.point_lights = own_lights;
   } else {
     result.integrator = Path{.max_depth = max_depth, .roulette_below = roulette, .strategy = strategy};
   }
@@ -164,8 +170,7 @@ inline constexpr std::array<std::pair<std::string_view, FilterKind>, 4> filter_k
 [[nodiscard]] inline SceneFilter read_filter(JsonObject object) {
   const auto kind = choice_or(object, "type", FilterKind::Box, filter_kinds);
   const float radius = object.read_or("radius", 0.5F, [](const JsonValue& v) {
-    if (!(v.number() > 0 && v.number() <= 8)) v.fail_expected("a number above 0, 8 at most");
-    return v.number();
+    return v.number_where([](float r) { return r > 0 && r <= 8; }, "a number above 0, 8 at most");
   });
   const float alpha = object.positive_or("alpha", 2);
   const float b = object.number_or("B", 1.0F / 3);
@@ -185,6 +190,10 @@ inline constexpr std::array<std::pair<std::string_view, FilterKind>, 4> filter_k
     const auto sides = resolution->items("[width, height]");
     if (sides.size() != 2) resolution->fail_expected("[width, height]");
     result.resolution = {sides[0].integer(1, 65536), sides[1].integer(1, 65536)};
+    if (std::int64_t{result.resolution.x} * result.resolution.y > max_image_pixels) {
+      resolution->fail("found " + resolution->json().dump() + ", expected at most " + std::to_string(max_image_pixels) +
+                       " pixels in all");
+    }
   }
   if (const auto filter = object.find("filter")) result.filter = detail::read_filter(JsonObject(*filter));
   object.ignore({"block_side_length"});
@@ -194,12 +203,13 @@ inline constexpr std::array<std::pair<std::string_view, FilterKind>, 4> filter_k
 
 namespace detail {
 
-enum class CameraKind : std::uint8_t { Perspective, ThinLens, Orthographic };
+enum class CameraKind : std::uint8_t { Perspective, ThinLens, Orthographic, Panoramic };
 
-inline constexpr std::array<std::pair<std::string_view, CameraKind>, 3> camera_kinds{
+inline constexpr std::array<std::pair<std::string_view, CameraKind>, 4> camera_kinds{
     {{"perspective", CameraKind::Perspective},
      {"thin_lens", CameraKind::ThinLens},
-     {"orthographic", CameraKind::Orthographic}}};
+     {"orthographic", CameraKind::Orthographic},
+     {"panoramic", CameraKind::Panoramic}}};
 
 }  // namespace detail
 
@@ -210,17 +220,19 @@ inline constexpr std::array<std::pair<std::string_view, CameraKind>, 3> camera_k
   const Vec3<float> up = object.vec3_or("ref_up", {0, 1, 0});
   if (eye == target) object.fail("\"position\" and \"look_at\" are the same point");
   const float fov = radians(object.read_or("fov", 45.0F, [](const JsonValue& v) {
-    if (!(v.number() > 0 && v.number() < 180)) v.fail_expected("an angle between 0 and 180 degrees");
-    return v.number();
+    return v.number_where([](float degrees) { return degrees > 0 && degrees < 180; },
+                          "an angle between 0 and 180 degrees");
   }));
   object.ignore({"focal_length"});
   SceneCamera result = Perspective{.eye = eye, .target = target, .up = up, .fov_y_radians = fov};
   if (kind == detail::CameraKind::ThinLens) {
-    const float lens_radius = object.positive_or("lens_radius", 0.05F);
+    const float lens_radius = object.not_negative_or("lens_radius", 0.05F);
     const float focus_distance = object.positive_or("focus_distance", glm::length(target - eye));
     result = ThinLens{eye, target, up, fov, lens_radius, focus_distance};
   } else if (kind == detail::CameraKind::Orthographic) {
     result = Orthographic{.eye = eye, .target = target, .up = up, .height = object.positive_or("height", 1)};
+  } else if (kind == detail::CameraKind::Panoramic) {
+    result = Panoramic{.eye = eye, .target = target, .up = up};
   }
   object.finish();
   return result;
@@ -231,7 +243,7 @@ inline constexpr std::array<std::pair<std::string_view, CameraKind>, 3> camera_k
       {{"independent", SamplerKind::Independent}, {"stratified", SamplerKind::Stratified}}};
   SamplerSettings result;
   result.kind = detail::choice_or(object, "type", SamplerKind::Independent, kinds);
-  result.seed = static_cast<std::uint64_t>(object.integer_or("seed", 0, 0));
+  result.seed = object.read_or("seed", std::uint64_t{0}, [](const JsonValue& v) { return v.seed(); });
   object.finish();
   return result;
 }
