@@ -11,6 +11,8 @@
 #include <glint/camera/perspective.hpp>
 #include <glint/film/film.hpp>
 #include <glint/geometry/elements.hpp>
+#include <glint/geometry/quad.hpp>
+#include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
 #include <glint/io/image.hpp>
 #include <glint/light/environment.hpp>
@@ -52,12 +54,13 @@ struct OneBounce {
 
 int main() {
   // <region: render>
-  const std::vector<Ellipsoid> shapes{
-      {{0, 0, 0}, {1, 2, 1}}, {{2.5F, -1, 0}, {1.2F, 0.6F, 1.5F}}, {{0, -102, 0}, {100, 100, 100}}};
-  const glint::Scene scene{glint::Bvh{glint::Elements{shapes}, glint::BinnedSah{.max_leaf_size = 1}},
-                           glint::Lambertian{{0.8F, 0.6F, 0.4F}}, glint::ConstantEnvironment{{0.8F, 0.9F, 1.0F}}};
+  const std::vector<Ellipsoid> shapes{{{0, 0, 0}, {1, 2, 1}}, {{2.5F, -1.4F, 1}, {1.2F, 0.6F, 1.5F}}};
+  const std::vector<glint::Quad<float>> floor{{{-20, -2, 20}, {40, 0, 0}, {0, 0, -40}}};
+  const glint::Bvh geometry{glint::Joined{glint::Elements{shapes}, glint::Elements{floor}}};
+  const glint::Scene scene{geometry, glint::Lambertian{{0.8F, 0.6F, 0.4F}},
+                           glint::ConstantEnvironment{{0.8F, 0.9F, 1.0F}}};
   glint::Film film{{256, 192}};
-  glint::render(scene, glint::Perspective{.eye = {1, 1, 9}, .target = {1, 0, 0}}, OneBounce{}, film, {.samples = 16});
+  glint::render(scene, glint::Perspective{.eye = {3, 2, 9}, .target = {1, 0, 0}}, OneBounce{}, film, {.samples = 32});
   glint::write_exr(film.develop(), "ellipsoids.exr");
   glint::write_png(film.develop(), "ellipsoids.png");
   // </region: render>
