@@ -2,7 +2,6 @@
 #include <glint/bvh/traverse.hpp>  // first, so the header proves it stands alone
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,6 +14,7 @@
 #include <glint/bvh/build/sweep_sah.hpp>
 #include <glint/bvh/layout/binary.hpp>
 #include <glint/bvh/layout/wide.hpp>
+#include <glint/bvh/pass/validate.hpp>
 #include <glint/bvh/query/ray.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/boxes.hpp>
@@ -118,22 +118,27 @@ TEST_CASE("traverse: a visit can end the walk", "[bvh][traverse]") {
   CHECK(visits == 3);
 }
 
-TEST_CASE("traverse: the deepest tree with the most children waiting fits the stack", "[bvh][traverse]") {
-  // Exponentially nested boxes, all of them met: 64 steps down, on each a sibling waits. A layout of width 8 over it
-  // is as deep as layouts get.
-  std::vector<Aabb<float>> boxes;
-  for (int i = 0; i < 120; ++i) {
-    const float x = std::ldexp(1.0F, 60 - i);
-    boxes.push_back({{-x, -x, -x}, {x, x, x}});
+TEST_CASE("traverse: in the deepest tree, a sibling waiting on every step fits the stack", "[bvh][traverse]") {
+  constexpr unsigned steps = Tree<float>::max_depth;
+  const std::vector<Aabb<float>> boxes(steps + 1, {{-1, -1, -1}, {1, 1, 1}});
+  std::vector<unsigned> all;
+  for (unsigned i = 0; i <= steps; ++i) all.push_back(i);
+  for (const unsigned inner_side : {0U, 1U}) {  // one of them is where walks go first, so that leaves pile up
+    Tree<float> tree{.nodes = {{boxes[0], 1, 0}}, .order = all, .depth = int(steps)};
+    for (unsigned i = 0; i < steps; ++i) {
+      const glint::BinaryNode<float> leaf{boxes[0], i, 1};
+      const glint::BinaryNode<float> inner{boxes[0], 2 * i + 3, 0};
+      const glint::BinaryNode<float> last{boxes[0], steps, 1};
+      const auto& deeper = i + 1 < steps ? inner : last;
+      tree.nodes.push_back(inner_side == 0 ? deeper : leaf);
+      tree.nodes.push_back(inner_side == 0 ? leaf : deeper);
+    }
+    REQUIRE(violations(tree, Boxes{boxes}).empty());
+    const glint::Ray<float> ray{.origin = {0, 0, 3}};
+    CHECK(boxes_met<glint::BinaryNodes<float, std::uint32_t>>(boxes, tree, ray) == all);
+    CHECK(boxes_met<glint::WideNodes<float, std::uint32_t, 2>>(boxes, tree, ray) == all);
+    CHECK(boxes_met<glint::WideNodes<float, std::uint32_t, 8>>(boxes, tree, ray) == all);
   }
-  const auto tree = glint::SweepSah{.block_size = 1, .max_leaf_size = 1}.build(Boxes{boxes});
-  CHECK(tree.depth >= 60);
-  std::vector<unsigned> all(boxes.size());
-  for (unsigned i = 0; i < all.size(); ++i) all[i] = i;
-  const glint::Ray<float> ray{.origin = {0, 0, 1}};
-  CHECK(boxes_met<glint::BinaryNodes<float, std::uint32_t>>(boxes, tree, ray) == all);
-  CHECK(boxes_met<glint::WideNodes<float, std::uint32_t, 2>>(boxes, tree, ray) == all);
-  CHECK(boxes_met<glint::WideNodes<float, std::uint32_t, 8>>(boxes, tree, ray) == all);
 }
 
 TEST_CASE("traverse: agrees with reference cases", "[bvh][traverse][vectors]") {

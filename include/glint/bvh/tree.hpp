@@ -35,10 +35,10 @@ struct Tree {
   /// No leaf lies further than this many steps below the root: it sizes the stack of every traversal.
   static constexpr int max_depth = 64;
 
-  std::vector<BinaryNode<T, I>> nodes;  ///< the root first; none for an empty set
-  std::vector<I> order;                 ///< slot → the caller's index
-  int depth = 0;                        ///< steps from the root to the deepest leaf
-  std::size_t left_out = 0;             ///< primitives without a finite, non-empty box: no ray can hit them
+  std::vector<BinaryNode<T, I>> nodes{};  ///< the root first; none for an empty set
+  std::vector<I> order{};                 ///< slot → the caller's index
+  int depth = 0;                          ///< steps from the root to the deepest leaf
+  std::size_t left_out = 0;               ///< primitives without a finite, non-empty box: no ray can hit them
 
   [[nodiscard]] friend bool operator==(const Tree&, const Tree&) = default;
 };
