@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include <glint/geometry/hit.hpp>  // first, so the header proves it stands alone
+
+#include <support/catch.hpp>
+
+TEMPLATE_TEST_CASE("hit: the default names no primitive and no instance", "[geometry][hit]", float, double) {
+  const glint::Hit<TestType> hit;
+  CHECK(hit.primitive == glint::none<std::uint32_t>);
+  CHECK(hit.instance == glint::none<std::uint32_t>);
+  CHECK(glint::Hit<TestType, std::uint64_t>{}.primitive == glint::none<std::uint64_t>);
+  CHECK(hit == glint::Hit<TestType>{});
+}
