@@ -12,6 +12,7 @@
 #include <glint/math/constants.hpp>
 #include <glint/math/distribution.hpp>
 #include <glint/math/spherical.hpp>
+#include <glint/math/warp.hpp>
 #include <glint/texture/concepts.hpp>
 
 namespace glint {
@@ -23,17 +24,12 @@ struct ConstantEnvironment {
   Rgb radiance{1};
 
   [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& /*from*/, const Vec2<float>& u) const noexcept {
-    const float z = 1 - 2 * u.x;
-    const float r = std::sqrt(std::max(0.0F, 1 - z * z));
-    const float phi = 2 * pi<float> * u.y;
-    return LightSample{.wi = {r * std::cos(phi), r * std::sin(phi), z},
-                       .distance = infinity<float>,
-                       .radiance = radiance,
-                       .pdf = 0.25F * inv_pi<float>};
+    return LightSample{
+        .wi = uniform_sphere(u), .distance = infinity<float>, .radiance = radiance, .pdf = uniform_sphere_pdf<float>()};
   }
 
   [[nodiscard]] Rgb background(const Vec3<float>& /*direction*/) const noexcept { return radiance; }
-  [[nodiscard]] static float pdf(const Vec3<float>& /*direction*/) noexcept { return 0.25F * inv_pi<float>; }
+  [[nodiscard]] static float pdf(const Vec3<float>& /*direction*/) noexcept { return uniform_sphere_pdf<float>(); }
 
   /// What falls on the sphere around the scene.
   [[nodiscard]] Rgb power(const Aabb<float>& scene) const noexcept {

@@ -13,6 +13,7 @@
 #include <glint/math/constants.hpp>
 #include <glint/math/random.hpp>
 #include <glint/math/vec.hpp>
+#include <glint/math/warp.hpp>
 #include <glint/testing/violations.hpp>
 
 namespace glint::testing {
@@ -63,10 +64,7 @@ template <Light L>
       detail::check_light_sample(light, from, *sample, violations);
       by_light += static_cast<double>(luminance(sample->radiance) / sample->pdf) / samples;
     }
-    const float z = 1 - 2 * random.uniform<float>();
-    const float phi = 2 * pi<float> * random.uniform<float>();
-    const float r = std::sqrt(std::max(0.0F, 1 - z * z));
-    const Vec3<float> direction{r * std::cos(phi), r * std::sin(phi), z};
+    const Vec3<float> direction = uniform_sphere(random.uniform_vec2());
     by_direction += static_cast<double>(luminance(background(light, direction)) * 4 * pi<float>) / samples;
   }
   if constexpr (InfiniteLight<L>) {
