@@ -10,6 +10,7 @@
 #include <glint/io/image.hpp>
 
 #include "commands.hpp"
+#include "output.hpp"
 
 namespace {
 
@@ -42,7 +43,15 @@ bool report(const char* name, double value, double tested, double limit) {
   return holds;
 }
 
+/// Finds out before the work whether its result can be written, and would overwrite nothing that is read.
+void require_writable(const CompareArguments& arguments) {
+  const std::filesystem::path& output = arguments.difference_image;
+  for (const std::filesystem::path& input : {arguments.image, arguments.reference}) require_other_file(output, input);
+  require_writable_image(output);
+}
+
 int compare_images(const CompareArguments& arguments) {
+  if (!arguments.difference_image.empty()) require_writable(arguments);
   const glint::Image image = glint::read_image(arguments.image);
   const glint::Image reference = glint::read_image(arguments.reference);
   const auto difference = glint::compare(image, reference);
@@ -70,14 +79,20 @@ int compare_images(const CompareArguments& arguments) {
 void add_compare_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("compare", "Measure how far an image is from a reference");
   const auto arguments = std::make_shared<CompareArguments>();
-  command->add_option("A", arguments->image, "The image")->required();
-  command->add_option("B", arguments->reference, "Its reference")->required();
-  command->add_option("--max-rmse", arguments->max_rmse, "Fail above this root mean squared error");
-  command->add_option("--max-relmse", arguments->max_relmse,
-                      "Fail above this relative error: the mean of (A-B)^2 / (B^2 + 0.01)");
-  command->add_option("--max-mean-error", arguments->max_mean_error, "Fail where |mean A / mean B - 1| is above this");
-  command->add_option("--max-share", arguments->max_share,
-                      "Fail above this share of pixels with a channel off by more than 0.01");
-  command->add_option("--difference", arguments->difference_image, "Write |A - B| as an image: .exr, .hdr or .png");
+  command->add_option("A", arguments->image, "The image")->required()->option_text(" ");
+  command->add_option("B", arguments->reference, "Its reference")->required()->option_text(" ");
+  command->add_option("--max-rmse", arguments->max_rmse, "Fail above this root mean squared error")->option_text("X");
+  command
+      ->add_option("--max-relmse", arguments->max_relmse,
+                   "Fail above this relative error: the mean of (A-B)^2 / (B^2 + 0.01)")
+      ->option_text("X");
+  command->add_option("--max-mean-error", arguments->max_mean_error, "Fail where |mean A / mean B - 1| is above this")
+      ->option_text("X");
+  command
+      ->add_option("--max-share", arguments->max_share,
+                   "Fail above this share of pixels with a channel off by more than 0.01")
+      ->option_text("X");
+  command->add_option("--difference", arguments->difference_image, "Write |A - B| as an image: .exr, .hdr or .png")
+      ->option_text("FILE");
   command->callback([arguments, &exit_code] { exit_code = compare_images(*arguments); });
 }

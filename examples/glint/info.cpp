@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <glint/bvh/build/binned_sah.hpp>
 #include <glint/bvh/pass/statistics.hpp>
@@ -89,15 +91,16 @@ void tell_scene(const std::filesystem::path& path) {
 }
 
 void tell(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  static constexpr std::array<std::string_view, 7> images{".exr", ".hdr", ".png", ".jpg", ".jpeg", ".bmp", ".tga"};
+  const std::string extension = glint::detail::lower_case_extension(path);
   if (extension == ".json") {
     tell_scene(path);
   } else if (extension == ".obj") {
     tell_mesh(path);
-  } else {
+  } else if (std::find(images.begin(), images.end(), extension) != images.end()) {
     tell_image(path);
+  } else {
+    throw glint::IoError(path, "is of no known kind: expected .json, .obj or an image");
   }
 }
 
@@ -106,7 +109,7 @@ void tell(const std::filesystem::path& path) {
 void add_info_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("info", "Say what is in a scene, a mesh or an image");
   const auto path = std::make_shared<std::filesystem::path>();
-  command->add_option("FILE", *path, "A .json scene, an .obj mesh, or an image")->required();
+  command->add_option("FILE", *path, "A .json scene, an .obj mesh, or an image")->required()->option_text(" ");
   command->callback([path, &exit_code] {
     tell(*path);
     exit_code = 0;

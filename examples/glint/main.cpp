@@ -20,10 +20,20 @@ std::string version_line() {
          std::to_string(glint::version.patch);
 }
 
+/// One line, as all errors are.
+std::string usage_line(const CLI::App* app, const CLI::Error& error) {
+  std::string problem = error.what();
+  if (const auto others = app->remaining(); app->get_subcommands().empty() && !others.empty()) {
+    problem = "\"" + others.front() + "\" is not a subcommand, expected render, compare or info";
+  }
+  return "glint: " + problem + "; see glint --help\n";
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Renders JSON scenes, compares images, and says what is in a file.", "glint");
   app.set_version_flag("--version", version_line());
   app.require_subcommand(1);
+  app.failure_message(usage_line);
   app.footer("Exit status: 0 done, 1 something failed or differs too much, 2 wrong usage, 130 interrupted.");
   int exit_code = 0;
   add_render_command(app, exit_code);

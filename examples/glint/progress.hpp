@@ -26,11 +26,21 @@ inline std::string clock_time(double seconds) {
 /// Shows how far a rendering is, on stderr: a bar on a terminal, a line for each tenth elsewhere.
 class ProgressDisplay {
  public:
+  ProgressDisplay() {
+    if (terminal_) draw_bar(0, 0, "?");
+  }
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+  /// What follows begins on a line of its own.
+  ~ProgressDisplay() {
+    if (terminal_) std::fputc('\n', stderr);
+  }
+
   void operator()(const glint::RenderProgress& progress) {
     const double done = static_cast<double>(progress.samples_done) / static_cast<double>(progress.samples_total);
     const double left = progress.seconds / done - progress.seconds;
     if (terminal_) {
-      draw_bar(done, progress.seconds, left);
+      draw_bar(done, progress.seconds, clock_time(left));
     } else if (const int tenth = static_cast<int>(done * 10); tenth > last_tenth_) {
       last_tenth_ = tenth;
       std::fprintf(stderr, "%3d %%  elapsed %s  left %s\n", tenth * 10, clock_time(progress.seconds).c_str(),
@@ -40,16 +50,15 @@ class ProgressDisplay {
 
  private:
   /// Ten times a second at most: a terminal is slower than a tile.
-  void draw_bar(double done, double elapsed, double left) {
+  void draw_bar(double done, double elapsed, const std::string& left) {
     if (elapsed < next_draw_ && done < 1) return;
     next_draw_ = elapsed + 0.1;
-    constexpr int width = 40;
+    constexpr int width = 30;
     const int filled = static_cast<int>(done * width);
     std::string bar(static_cast<std::size_t>(filled), '#');
     bar.resize(width, '.');
     std::fprintf(stderr, "\r[%s] %3d %%  elapsed %s  left %s   ", bar.c_str(), static_cast<int>(done * 100),
-                 clock_time(elapsed).c_str(), clock_time(left).c_str());
-    if (done >= 1) std::fputc('\n', stderr);
+                 clock_time(elapsed).c_str(), left.c_str());
   }
 
   bool terminal_ = isatty(STDERR_FILENO) != 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <charconv>
 #include <chrono>
-#include <csignal>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -10,15 +11,19 @@
 #include <stop_token>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <glint/core/tbb_executor.hpp>
 #include <glint/film/film.hpp>
 #include <glint/io/image.hpp>
+#include <glint/io/image_limits.hpp>
 #include <glint/io/scene_json.hpp>
 #include <glint/render/render.hpp>
 
 #include "commands.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 
 namespace {
@@ -39,27 +44,14 @@ struct RenderArguments {
   bool quiet = false;
 };
 
-/// What Ctrl-C stops. A signal handler may set nothing but such a flag.
-volatile std::sig_atomic_t interrupt_requested = 0;
-void on_interrupt(int /*signal*/) {
-  interrupt_requested = 1;
-}
-
-std::string extension_of(const std::filesystem::path& path) {
-  std::string result = path.extension().string();
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return result;
-}
-
 /// The files to write: those asked for, or SCENE.exr here; and a PNG beside an EXR that has none.
 std::vector<std::filesystem::path> output_files(const RenderArguments& arguments) {
   std::vector<std::filesystem::path> result = arguments.outputs;
   if (result.empty()) result.push_back(arguments.scene.filename().replace_extension(".exr"));
-  const auto is_png = [](const auto& path) { return extension_of(path) == ".png"; };
+  const auto is_png = [](const auto& path) { return glint::detail::lower_case_extension(path) == ".png"; };
   if (!arguments.no_png && std::none_of(result.begin(), result.end(), is_png)) {
-    const auto exr =
-        std::find_if(result.begin(), result.end(), [](const auto& p) { return extension_of(p) == ".exr"; });
+    const auto exr = std::find_if(result.begin(), result.end(),
+                                  [](const auto& p) { return glint::detail::lower_case_extension(p) == ".exr"; });
     if (exr != result.end()) result.push_back(std::filesystem::path(*exr).replace_extension(".png"));
   }
   return result;
@@ -67,35 +59,44 @@ std::vector<std::filesystem::path> output_files(const RenderArguments& arguments
 
 /// Finds out before the long work whether its result can be written.
 void require_writable(const std::filesystem::path& output, const glint::SceneFile& scene) {
-  const std::string extension = extension_of(output);
-  if (extension != ".exr" && extension != ".png" && extension != ".hdr") {
-    throw glint::IoError(output, "cannot be written as an image: expected .exr, .hdr or .png");
-  }
-  for (const std::filesystem::path& input : scene.inputs) {
-    std::error_code none_there;
-    if (std::filesystem::equivalent(input, output, none_there)) {
-      throw glint::IoError(output, "is an input of the scene: name another output");
-    }
-  }
-  const glint::FileReplacement trial(output);
+  for (const std::filesystem::path& input : scene.inputs) require_other_file(output, input);
+  require_writable_image(output);
 }
 
-glint::Vec2i parse_resolution(const std::string& text) {
+std::optional<glint::Vec2i> parse_resolution(const std::string& text) {
   int width = 0;
   int height = 0;
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 || width > 65536 ||
-      height > 65536) {
-    throw CLI::ValidationError("--resolution", "found \"" + text + "\", expected WxH, each from 1 to 65536");
-  }
-  return {width, height};
+  if (std::sscanf(text.c_str(), "%5dx%5d%c", &width, &height, &rest) != 2) return std::nullopt;
+  if (width < 1 || height < 1 || width > 65536 || height > 65536) return std::nullopt;
+  if (std::int64_t{width} * height > glint::max_image_pixels) return std::nullopt;
+  return glint::Vec2i{width, height};
+}
+
+std::string resolution_problem(const std::string& text) {
+  if (parse_resolution(text)) return {};
+  return "found \"" + text + "\", expected WxH, each from 1 to 65536, and at most " +
+         std::to_string(glint::max_image_pixels) + " pixels";
+}
+
+std::string seed_problem(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error == std::errc() && end == text.data() + text.size()) return {};
+  return "found \"" + text + "\", expected an integer from 0 to 2^64 - 1";
+}
+
+std::string exposure_problem(const std::string& text) {
+  float stops = 0;
+  if (CLI::detail::lexical_cast(text, stops) && std::abs(stops) <= 64) return {};
+  return "found \"" + text + "\", expected a number from -64 to 64";
 }
 
 glint::SceneFile read_scene(const RenderArguments& arguments) {
   glint::SceneFile scene = glint::read_scene(arguments.scene, arguments.reading);
   if (arguments.samples) scene.integrator.samples = *arguments.samples;
   if (arguments.seed) scene.sampler.seed = *arguments.seed;
-  if (!arguments.resolution.empty()) scene.film.resolution = parse_resolution(arguments.resolution);
+  if (!arguments.resolution.empty()) scene.film.resolution = *parse_resolution(arguments.resolution);
   for (const std::string& warning : scene.warnings) std::fprintf(stderr, "glint: warning: %s\n", warning.c_str());
   return scene;
 }
@@ -106,17 +107,16 @@ struct Rendering {
 };
 
 Rendering render_scene(const glint::SceneFile& file, const RenderArguments& arguments,
-                       const glint::TbbExecutor& executor) {
+                       const glint::TbbExecutor& executor, std::stop_token stop) {
   const auto scene = glint::scene_of(file, executor);
   glint::Film<glint::SceneFilter> film(file.film.resolution, file.film.filter);
-  std::stop_source stop;
-  ProgressDisplay display;
   glint::RenderOptions options{.samples = file.integrator.samples, .tile_size = arguments.tile_size};
-  options.stop = stop.get_token();
-  options.progress = [&](const glint::RenderProgress& progress) {
-    if (interrupt_requested != 0) stop.request_stop();
-    if (!arguments.quiet) display(progress);
-  };
+  options.stop = std::move(stop);
+  std::optional<ProgressDisplay> display;
+  if (!arguments.quiet) {
+    display.emplace();
+    options.progress = [&](const glint::RenderProgress& progress) { (*display)(progress); };
+  }
   const auto sequence = glint::sequence_of(file.sampler, file.integrator.samples);
   const auto report = file.integrator.integrator.visit([&](const auto& integrator) {
     return glint::render(scene, file.camera, integrator, film, options, executor, sequence);
@@ -140,26 +140,28 @@ void tell(const glint::SceneFile& scene, const RenderArguments& arguments, const
   }
 }
 
+void write(const glint::Image& image, const std::filesystem::path& output, float exposure_stops) {
+  if (glint::detail::lower_case_extension(output) == ".png") {
+    glint::write_png(image, output, {.exposure_stops = exposure_stops});
+  } else {
+    glint::write_image(image, output);
+  }
+}
+
 int render_file(const RenderArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const glint::SceneFile scene = read_scene(arguments);
   const auto outputs = output_files(arguments);
   for (const std::filesystem::path& output : outputs) require_writable(output, scene);
+  const InterruptWatcher interrupt;  // before the executor, whose threads are to leave signals alone as well
   const auto executor = arguments.threads > 0 ? std::make_unique<glint::TbbExecutor>(arguments.threads)
                                               : std::make_unique<glint::TbbExecutor>();
-  std::signal(SIGINT, on_interrupt);
-  const auto [image, report] = render_scene(scene, arguments, *executor);
+  const auto [image, report] = render_scene(scene, arguments, *executor, interrupt.token());
   if (!report.complete) {
-    std::fprintf(stderr, "\nglint: interrupted, nothing written\n");
+    std::fputs("glint: interrupted, nothing written\n", stderr);
     return interrupted;
   }
-  for (const std::filesystem::path& output : outputs) {
-    if (extension_of(output) == ".png") {
-      glint::write_png(image, output, {.exposure_stops = arguments.exposure});
-    } else {
-      glint::write_image(image, output);
-    }
-  }
+  for (const std::filesystem::path& output : outputs) write(image, output, arguments.exposure);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   tell(scene, arguments, report, std::max(0.0, seconds - report.seconds), outputs);
   return 0;
@@ -170,19 +172,31 @@ int render_file(const RenderArguments& arguments) {
 void add_render_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("render", "Render a JSON scene to EXR and PNG");
   const auto a = std::make_shared<RenderArguments>();
-  command->add_option("SCENE", a->scene, "The scene, JSON")->required();
+  command->add_option("SCENE", a->scene, "The scene, JSON")->required()->option_text(" ");
   command->add_option("-o,--output", a->outputs, "Write to this file: .exr, .hdr or .png; may be given several times")
-      ->allow_extra_args(false);
-  command->add_option("--spp", a->samples, "Samples a pixel")->check(CLI::Range(1, 1 << 24));
-  command->add_option("--seed", a->seed, "Another seed, other noise");
-  command->add_option("--threads", a->threads, "Threads; all cores by default")->check(CLI::Range(1, 4096));
-  command->add_option("--resolution", a->resolution, "Image size, as 640x480");
-  command->add_option("--integrator", a->reading.integrator, "Replace the scene's integrator: path, intersection_test");
-  command->add_option("--override", a->reading.overrides, "JSON merged into the scene; may be given several times")
-      ->allow_extra_args(false);
-  command->add_option("--exposure", a->exposure, "Stops by which the PNG is brightened")->check(CLI::Range(-64, 64));
+      ->allow_extra_args(false)
+      ->option_text("FILE");
+  command->add_option("--spp", a->samples, "Samples a pixel")->check(CLI::Range(1, 1 << 24))->option_text("N");
+  command->add_option("--seed", a->seed, "Another seed, other noise")
+      ->check(CLI::Validator(seed_problem, ""))
+      ->option_text("N");
+  command->add_option("--threads", a->threads, "Threads; all cores by default")
+      ->check(CLI::Range(1, 4096))
+      ->option_text("N");
+  command->add_option("--resolution", a->resolution, "Image size, as 640x480")
+      ->check(CLI::Validator(resolution_problem, ""))
+      ->option_text("WxH");
+  command->add_option("--integrator", a->reading.integrator, "Replace the scene's integrator: path, intersection_test")
+      ->option_text("NAME");
+  command->add_option("--override", a->reading.overrides, "Merged into the scene; may be given several times")
+      ->allow_extra_args(false)
+      ->option_text("JSON");
+  command->add_option("--exposure", a->exposure, "Stops by which the PNG is brightened, -64 to 64")
+      ->check(CLI::Validator(exposure_problem, ""))
+      ->option_text("STOPS");
   command->add_option("--tile-size", a->tile_size, "Edge of a thread's share of the image, in pixels")
-      ->check(CLI::Range(1, 65536));
+      ->check(CLI::Range(1, 65536))
+      ->option_text("N");
   command->add_flag("--no-png", a->no_png, "Write no PNG beside the EXR");
   command->add_flag("--strict", a->reading.strict, "Unknown keys in the scene are errors");
   command->add_flag("--quiet", a->quiet, "Print nothing but warnings and errors");

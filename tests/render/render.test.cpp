@@ -60,6 +60,17 @@ struct ShowDirection {
   }
 };
 
+/// Radiance 1, and a wish to stop.
+struct StopsIt {
+  std::stop_source* stop;
+
+  template <glint::SceneLike S, glint::Sampler R>
+  [[nodiscard]] Rgb radiance(const S& /*scene*/, const glint::Ray<float>& /*ray*/, R& /*sampler*/) const {
+    stop->request_stop();
+    return Rgb{1};
+  }
+};
+
 }  // namespace
 
 TEST_CASE("render: the same bits for every number of threads and every tile size", "[render]") {
@@ -138,6 +149,19 @@ TEST_CASE("render: a stop request ends it after the tiles at hand", "[render]") 
   CHECK(report.samples == 16 * 16);
   CHECK(film.develop()(0, 0) == Rgb{1});
   CHECK(film.develop()(63, 63) == Rgb{0});
+}
+
+TEST_CASE("render: a stop request ends a tile after the pixel at hand", "[render]") {
+  Film film{{64, 64}};
+  std::stop_source stop;
+  int calls = 0;
+  RenderOptions options{.samples = 3, .tile_size = 64};
+  options.stop = stop.get_token();
+  options.progress = [&](const glint::RenderProgress&) { ++calls; };
+  const auto report = render(scene, camera, StopsIt{&stop}, film, options);
+  CHECK_FALSE(report.complete);
+  CHECK(report.samples == 3);  // of one pixel
+  CHECK(calls == 0);           // no tile was finished
 }
 
 TEST_CASE("render: what the progress callback throws comes out", "[render]") {

@@ -20,7 +20,7 @@ struct RenderOptions {
   /// Called after each tile, one call at a time, from whichever thread finished it. It should be quick.
   std::function<void(const RenderProgress&)> progress{};
 
-  /// Ends the rendering early: tiles not yet begun stay as they were.
+  /// Ends the rendering early, each thread after the pixel it is at; the others stay as they were.
   std::stop_token stop{};
 };
 

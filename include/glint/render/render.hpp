@@ -21,17 +21,21 @@ namespace glint {
 
 namespace detail {
 
-/// Adds all samples of one film block's pixels.
+/// Adds all samples of one film block's pixels, until stopped.
 template <SceneLike S, RayGenerator G, typename I, typename Block, SampleSequence Q>
 [[nodiscard]] RenderReport render_block(const S& scene, const G& generator, const I& integrator, Block block,
-                                        Vec2i film_size, int samples, const Q& sequence) {
+                                        Vec2i film_size, const RenderOptions& options, const Q& sequence) {
   RenderReport report;
   const Counted counted{scene, report.rays};
   const Vec2<float> scale = Vec2<float>(1) / Vec2<float>(film_size);
   const auto [begin, end] = block.pixels();
   for (int y = begin.y; y < end.y; ++y) {
     for (int x = begin.x; x < end.x; ++x) {
-      for (int sample = 0; sample < samples; ++sample) {
+      if (options.stop.stop_requested()) {
+        report.complete = false;
+        return report;
+      }
+      for (int sample = 0; sample < options.samples; ++sample) {
         auto sampler = sequence.stream(Vec2i{x, y}, sample);
         const Vec2<float> jitter = sampler.next_2d();
         const Vec2<float> lens = sampler.next_2d();
@@ -40,10 +44,9 @@ template <SceneLike S, RayGenerator G, typename I, typename Block, SampleSequenc
         const Rgb value = integrator.radiance(counted, ray, sampler);
         report.dropped += block.add(at, value) ? 0U : 1U;
       }
+      report.samples += static_cast<std::uint64_t>(options.samples);
     }
   }
-  report.samples = static_cast<std::uint64_t>(end.x - begin.x) * static_cast<std::uint64_t>(end.y - begin.y) *
-                   static_cast<std::uint64_t>(samples);
   return report;
 }
 
@@ -95,20 +98,16 @@ RenderReport render(const S& scene, const C& camera, const I& integrator, Film<F
   detail::ProgressTeller teller(options, static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) *
                                              static_cast<std::uint64_t>(options.samples));
   const auto render_tile = [&](std::size_t tile) {
-    if (options.stop.stop_requested()) {
-      reports[tile].complete = false;
-      return;
-    }
     const Vec2i begin = Vec2i{static_cast<int>(tile) % tiles.x, static_cast<int>(tile) / tiles.x} * blocks_a_tile;
     for (int y = begin.y; y < std::min(begin.y + blocks_a_tile, blocks.y); ++y) {
       for (int x = begin.x; x < std::min(begin.x + blocks_a_tile, blocks.x); ++x) {
         reports[tile] += detail::render_block(
             scene, generator, integrator,
             film.block(static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks.x) + static_cast<std::size_t>(x)),
-            size, options.samples, sequence);
+            size, options, sequence);
       }
     }
-    teller.advance(reports[tile].samples);
+    if (reports[tile].complete) teller.advance(reports[tile].samples);
   };
   executor.parallel_for(reports.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t tile = first; tile < last; ++tile) render_tile(tile);
