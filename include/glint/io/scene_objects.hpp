@@ -78,8 +78,9 @@ void add_shape(SceneFile& scene, ShapeKind kind, std::vector<Shape>& shapes, con
   const Vec3<float> center = object.vec3_or("center", Vec3<float>(0));
   const Vec3<float> u = object.vec3_or("edge_u", {1, 0, 0});
   const Vec3<float> v = object.vec3_or("edge_v", {0, 1, 0});
-  if (!(length_squared(glm::cross(u, v)) > 0)) object.fail("\"edge_u\" and \"edge_v\" span no area");
-  return {center - (u + v) * 0.5F, u, v};
+  const Quad<float> quad{center - (u + v) * 0.5F, u, v};
+  if (!spans_area<float>(glm::cross(u, v), quad)) object.fail("\"edge_u\" and \"edge_v\" span no area");
+  return quad;
 }
 
 /// p' = transform · p + translate.

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <glint/io/scene_meshes.hpp>  // first, so the header proves it stands alone
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <support/catch.hpp>
+#include <support/temporary_directory.hpp>
+
+namespace {
+
+using glint::Affine;
+using glint::IoError;
+using glint::JsonSource;
+using glint::MeshBuffers;
+using glint::Rgb;
+using glint::Vec3;
+using glint::detail::MtlUse;
+using glint::detail::SceneDraft;
+using glint::testing::message_of;
+using glint::testing::TemporaryDirectory;
+
+/// In the plane z = 0, seen counterclockwise from +z.
+MeshBuffers<float> triangle() {
+  return {.positions = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, .normals = {}, .uvs = {}, .indices = {0, 1, 2}};
+}
+
+Vec3<float> geometric_normal(const MeshBuffers<float>& mesh) {
+  const auto& p = mesh.positions;
+  const auto& i = mesh.indices;
+  return glm::normalize(glm::cross(p[i[1]] - p[i[0]], p[i[2]] - p[i[0]]));
+}
+
+}  // namespace
+
+TEST_CASE("scene meshes: a placement moves positions", "[io][scene]") {
+  auto mesh = triangle();
+  glint::detail::place_mesh(mesh, Affine<float>{.linear = glint::Mat3<float>(2), .translation = {1, 2, 3}});
+  CHECK(mesh.positions == std::vector<Vec3<float>>{{1, 2, 3}, {5, 2, 3}, {1, 4, 3}});
+}
+
+TEST_CASE("scene meshes: normals stay perpendicular under any placement, with length 1", "[io][scene]") {
+  auto mesh = triangle();
+  mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 0}};
+  // x grows by the depth: the plane z = 0 tilts to z' = x.
+  const Affine<float> shear{.linear = {1, 0, 1, 0, 1, 0, 0, 0, 1}};
+  glint::detail::place_mesh(mesh, shear);
+  const float root = std::sqrt(0.5F);
+  CHECK(mesh.normals[0].x == Approx(-root));
+  CHECK(mesh.normals[0].z == Approx(root));
+  CHECK(mesh.normals[2] == Vec3<float>(0));  // none stays none
+  CHECK(glm::dot(geometric_normal(mesh), mesh.normals[0]) == Approx(1));
+}
+
+TEST_CASE("scene meshes: in a mirror image the winding follows the normals where there are any", "[io][scene]") {
+  const auto mirror = Affine<float>::scale({-1, 1, 1});
+  auto with_normals = triangle();
+  with_normals.normals.assign(3, {0, 0, 1});
+  glint::detail::place_mesh(with_normals, mirror);
+  CHECK(geometric_normal(with_normals) == Vec3<float>(0, 0, 1));
+  CHECK(with_normals.indices == std::vector<std::uint32_t>{0, 2, 1});
+  auto without = triangle();
+  glint::detail::place_mesh(without, mirror);
+  CHECK(geometric_normal(without) == Vec3<float>(0, 0, -1));
+}
+
+TEST_CASE("scene meshes: a flattened mesh keeps no normals of its own", "[io][scene]") {
+  auto mesh = triangle();
+  mesh.normals.assign(3, {0, 0, 1});
+  glint::detail::place_mesh(mesh, Affine<float>::scale({1, 1, 0}));
+  CHECK(mesh.normals.empty());
+}
+
+TEST_CASE("scene meshes: meshes with and without normals and uvs become one", "[io][scene]") {
+  MeshBuffers<float> all;
+  glint::detail::append_mesh(all, triangle());
+  auto second = triangle();
+  second.normals.assign(3, {0, 0, 1});
+  second.uvs.assign(3, {0.5F, 0.25F});
+  glint::detail::append_mesh(all, second);
+  glint::detail::append_mesh(all, triangle());
+  CHECK(all.positions.size() == 9);
+  CHECK(all.indices == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8});
+  REQUIRE(all.normals.size() == 9);
+  REQUIRE(all.uvs.size() == 9);
+  CHECK(all.normals[2] == Vec3<float>(0));
+  CHECK(all.normals[3] == Vec3<float>(0, 0, 1));
+  CHECK(all.normals[8] == Vec3<float>(0));
+  CHECK(std::isnan(all.uvs[0].x));
+  CHECK(all.uvs[5] == glint::Vec2<float>(0.5F, 0.25F));
+  CHECK(std::isnan(all.uvs[6].x));
+}
+
+TEST_CASE("scene meshes: a mesh light has the mesh's area; one without area is none", "[io][scene]") {
+  const auto light = glint::detail::mesh_light(triangle(), {1, 2, 3});
+  REQUIRE(light);
+  CHECK(area(light->shape) == 1);  // 2 · 1 / 2
+  CHECK(light->radiance == Rgb{1, 2, 3});
+  auto flat = triangle();
+  flat.positions[2] = {4, 0, 0};
+  CHECK_FALSE(glint::detail::mesh_light(flat, 1));
+}
+
+TEST_CASE("scene meshes: an MTL file's materials are two-sided, and v = 0 is the bottom of their maps", "[io][scene]") {
+  const TemporaryDirectory directory;
+  glint::Image image({1, 2});
+  image(0, 0) = {1, 0, 0};
+  write_exr(image, directory / "map.exr");
+  directory.write("m.mtl", "newmtl plain\nKd 0.25 0.5 0.75\nnewmtl mapped\nmap_Kd map.exr\n");
+  const auto path = directory.write("m.obj",
+                                    "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl mapped\nf 1 2 3\nusemtl plain\n"
+                                    "f 1 3 2\n");
+  SceneDraft draft;
+  JsonSource source;
+  (void)draft.black_material();
+  const auto mesh = glint::detail::load_obj(path, MtlUse::Read, draft, source);
+  CHECK(mesh.materials == std::vector<std::uint32_t>{2, 1});
+  using TwoSided = glint::TwoSidedMaterial<glint::SceneDiffuse>;
+  const auto texture = [&](std::size_t i) { return draft.scene.materials[i].get_if<TwoSided>()->front.texture; };
+  CHECK(texture(1).evaluate(glint::Vec2<float>{0, 0}) == Rgb{0.25F, 0.5F, 0.75F});
+  CHECK(texture(2).evaluate(glint::Vec2<float>{0.5F, 0.75F}) == Rgb{1, 0, 0});  // the top row
+  CHECK(texture(2).evaluate(glint::Vec2<float>{0.5F, 0.25F}) == Rgb{0});
+  CHECK(draft.scene.inputs == std::vector{directory / "map.exr"});
+  CHECK(glint::detail::load_obj(path, MtlUse::Ignore, draft, source).materials.empty());
+  CHECK(draft.scene.materials.size() == 3);
+}
+
+TEST_CASE("scene meshes: each face of a mesh with materials needs one", "[io][scene]") {
+  const TemporaryDirectory directory;
+  directory.write("m.mtl", "newmtl plain\nKd 1 1 1\n");
+  const auto path =
+      directory.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl plain\nf 1 3 2\n");
+  SceneDraft draft;
+  JsonSource source;
+  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj(path, MtlUse::Read, draft, source); }) ==
+        path.string() + ": has faces without a material, expected one for each face");
+}
+
+TEST_CASE("scene meshes: other kinds of files are refused by name", "[io][scene]") {
+  SceneDraft draft;
+  JsonSource source;
+  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj("a.ply", MtlUse::Ignore, draft, source); }) ==
+        "a.ply: cannot be read as a mesh: expected .obj");
+  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj("no/such.OBJ", MtlUse::Ignore, draft, source); }) ==
+        "no/such.OBJ: cannot be read: No such file or directory");
+}
