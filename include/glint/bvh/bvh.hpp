@@ -21,6 +21,7 @@
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/surface.hpp>
+#include <glint/math/vec.hpp>
 
 namespace glint {
 
@@ -59,6 +60,7 @@ class Bvh {
         : set_(std::move(set)),
           statistics_(glint::statistics(tree)),
           bounds_(tree.nodes.empty() ? Aabb<Scalar>{} : tree.nodes.front().bounds),
+          reach_(max_component(extent(bounds_))),
           leaves_(make_leaves(set_, tree)),
           nodes_(tree) {}
 
@@ -78,7 +80,7 @@ class Bvh {
     }
 
     [[nodiscard]] std::optional<Hit<Scalar, Index>> closest(const Ray<Scalar>& ray) const {
-      RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray);
+      RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray, reach_);
       const auto prepared = leaves_.prepare(set_, ray);
       Ray<Scalar> shortened = ray;
       Hit<Scalar, Index> best{.t = ray.t_max};
@@ -91,7 +93,7 @@ class Bvh {
     }
 
     [[nodiscard]] bool occluded(const Ray<Scalar>& ray) const {
-      const RayQuery<Scalar, Nodes::width, RayOrder::Any> query(ray);
+      const RayQuery<Scalar, Nodes::width, RayOrder::Any> query(ray, reach_);
       const auto prepared = leaves_.prepare(set_, ray);
       return traverse(nodes_, query, [&](Slots<Index> slots) {
                return leaves_.occluded(set_, ray, prepared, slots) ? Walk::Stop : Walk::Continue;
@@ -108,6 +110,7 @@ class Bvh {
     S set_;
     TreeStatistics statistics_;
     Aabb<Scalar> bounds_;
+    Scalar reach_;
     Leaves leaves_;  // before the nodes, for it may renumber slots
     Nodes nodes_;
 };

@@ -62,8 +62,16 @@ template <Layout L, typename Query>
   entered.key.store(key.data());
   const auto child = [&](int i) { return Pending<T, typename L::Index>{links[std::size_t(i)], key[std::size_t(i)]}; };
   if constexpr (Query::ordered) {
+    const int second = next();
+    if (mask == 0) {
+      const bool swapped = key[std::size_t(second)] < key[std::size_t(first)];
+      pending.push(child(swapped ? first : second));
+      link = links[std::size_t(swapped ? second : first)];
+      return true;
+    }
     const std::size_t base = pending.size();
     pending.push(child(first));
+    push_sorted(pending, base, child(second));
     while (mask != 0) push_sorted(pending, base, child(next()));
     link = pending.pop().link;
   } else {

@@ -31,13 +31,15 @@ class RaySource {
   }
 
   [[nodiscard]] Ray<T> next() {
-    Ray<T> ray{.origin = point(T(1)), .direction = point(T(0)) - point(T(1))};
+    Ray<T> ray{.origin = point(T(1))};
+    const Vec3<T> target = point(T(0));
+    ray.direction = (target - ray.origin) * uniform(T(0.2), T(2));
     switch (draw(6)) {
       case 0:
         ray.direction = along_axis();
         break;
       case 1:
-        ray = {.origin = on_grid(), .direction = along_axis()};
+        ray = along_grid();
         break;
       case 2:
         ray.direction = on_grid() - ray.origin;
@@ -82,6 +84,10 @@ class RaySource {
     const T y = T(draw(3)) / 2;
     const T z = T(draw(3)) / 2;
     return box_.lower + e * Vec3<T>{x, y, z};
+  }
+  [[nodiscard]] Ray<T> along_grid() {
+    const Vec3<T> origin = on_grid();
+    return {.origin = origin, .direction = along_axis()};
   }
   [[nodiscard]] Vec3<T> along_axis() {
     std::array<T, 3> d{};

@@ -29,7 +29,7 @@ namespace glint {
 /// Source:  Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", Interactive Ray Tracing 2007.
 struct BinnedSah {
   int bins = 16;                ///< an axis, in large nodes; clamped to 2 … 32
-  float traversal_cost = 1;     ///< of visiting an inner node …
+  float traversal_cost = 0.7F;  ///< of visiting an inner node …
   float intersection_cost = 1;  ///< … against testing a primitive
   std::size_t block_size = 4;   ///< primitives that a leaf tests at the price of one: TriangleBlocks takes 4
   std::size_t max_leaf_size = 8;

@@ -29,7 +29,7 @@ namespace glint {
 /// Threads: the axes of large nodes and subtrees in parallel; the same tree for every executor.
 /// Source:  Wald, Boulos, Shirley, "Ray Tracing Deformable Scenes Using Dynamic Bounding Volume Hierarchies", TOG 2007.
 struct SweepSah {
-  float traversal_cost = 1;     ///< of visiting an inner node …
+  float traversal_cost = 0.7F;  ///< of visiting an inner node …
   float intersection_cost = 1;  ///< … against testing a primitive
   std::size_t block_size = 4;   ///< primitives that a leaf tests at the price of one: TriangleBlocks takes 4
   std::size_t max_leaf_size = 8;

@@ -25,14 +25,20 @@ enum class RayOrder { NearestFirst, Any };
 /// A ray that lies in a plane of a box makes a NaN there, which `min` and `max` drop because what is known comes
 /// second.
 ///
-/// Ensures: no box is left out that holds a point of the ray, t_min < 0 included.
+/// Ensures: no box is left out that holds a point of the ray, t_min < 0 included, nor one whose primitive is hit within
+///          the interval by the rounding of its own t.
 template <std::floating_point T, int N, RayOrder Order>
 class RayQuery {
  public:
   static constexpr bool ordered = Order == RayOrder::NearestFirst;
 
-  explicit RayQuery(const Ray<T>& ray) noexcept : t_min_(Pack<T, N>::broadcast(ray.t_min)) {
+  /// `reach` is the size of the largest primitive, or more: the t of a hit is rounded in proportion to it, and not to t
+  /// alone.
+  explicit RayQuery(const Ray<T>& ray, T reach = 0) noexcept {
     const SlabRay<T> slabs = ConservativeSlab::prepare(ray);
+    const Vec3<T> scale = abs(slabs.entry_scale);
+    slack_ = rounding_bound<T>(16) * reach * std::min(std::min(scale.x, scale.y), scale.z);
+    t_min_ = Pack<T, N>::broadcast(ray.t_min - slack_);
     const Vec3<T> exit_origin = slabs.origin - behind(ray);
     entry_ = Side(slabs.origin, slabs.entry_scale);
     exit_ = Side(exit_origin, slabs.exit_scale);
@@ -53,10 +59,10 @@ class RayQuery {
   }
   /// Just beyond the ray's end.
   [[nodiscard]] T limit() const noexcept { return limit_; }
-  /// Ends the ray at t. A box's entry may be rounded up, so the limit is stretched as the exits are, and stays finite:
-  /// parallel rays outside of a slab enter it at infinity.
+  /// Ends the ray at t. A box's entry may be rounded up, so the limit is stretched as the exits are. It stays finite,
+  /// for parallel rays outside of a slab enter it at infinity.
   void shrink(T t) noexcept {
-    limit_ = std::min(t + std::abs(t) * stretch, std::numeric_limits<T>::max());
+    limit_ = std::min(t + std::abs(t) * stretch + slack_, std::numeric_limits<T>::max());
     limits_ = Pack<T, N>::broadcast(limit_);
   }
 
@@ -92,6 +98,7 @@ class RayQuery {
   Pack<T, N> t_min_;
   Pack<T, N> limits_;
   T limit_ = 0;
+  T slack_ = 0;
 };
 
 }  // namespace glint
