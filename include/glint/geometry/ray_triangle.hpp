@@ -12,6 +12,7 @@
 #include <glint/geometry/ray.hpp>
 #include <glint/math/rounding.hpp>
 #include <glint/math/vec.hpp>
+#include <glint/simd/pack.hpp>
 
 namespace glint {
 
@@ -70,7 +71,8 @@ struct MoellerTrumbore {
 ///
 /// The ray is sheared onto the axis in which it is longest, so that each vertex becomes a point in a plane, the same
 /// for all triangles that share it; the sides on which the ray passes the edges are then decided exactly. Winding is
-/// of no interest, hence the axes are not swapped to preserve it.
+/// of no interest, hence the axes are not swapped to preserve it. Every product is rounded by itself, so that tests of
+/// several triangles at once can do the same to the last bit.
 ///
 /// Ensures: two-sided; edges count as inside; t_min ≤ t ≤ t_max; no tolerance of any kind.
 /// Errors:  a NaN, a zero direction, and a triangle without area report no hit.
@@ -103,12 +105,12 @@ struct Watertight {
     const Vec3<T> b = project(v1 - ray.origin, shear);
     const Vec3<T> c = project(v2 - ray.origin, shear);
     // Twice the signed areas that the ray's point spans with the edges, each as the difference of two products.
-    const T u_plus = c.x * b.y;
-    const T v_plus = a.x * c.y;
-    const T w_plus = b.x * a.y;
-    const T u_minus = c.y * b.x;
-    const T v_minus = a.y * c.x;
-    const T w_minus = b.y * a.x;
+    const T u_plus = fenced(c.x * b.y);
+    const T v_plus = fenced(a.x * c.y);
+    const T w_plus = fenced(b.x * a.y);
+    const T u_minus = fenced(c.y * b.x);
+    const T v_minus = fenced(a.y * c.x);
+    const T w_minus = fenced(b.y * a.x);
     const bool left = (u_plus < u_minus) | (v_plus < v_minus) | (w_plus < w_minus);
     const bool right = (u_plus > u_minus) | (v_plus > v_minus) | (w_plus > w_minus);
     if (left & right) return std::nullopt;
@@ -116,7 +118,7 @@ struct Watertight {
     const bool tied = (u_plus == u_minus) | (v_plus == v_minus) | (w_plus == w_minus);
     if (tied && !settle_ties(a, b, c, areas)) return std::nullopt;
     const T det = areas.x + areas.y + areas.z;
-    const T t = (areas.x * a.z + areas.y * b.z + areas.z * c.z) * shear.scale_z / det;
+    const T t = (fenced(areas.x * a.z) + fenced(areas.y * b.z) + fenced(areas.z * c.z)) * shear.scale_z / det;
     if (!(t >= ray.t_min && t <= ray.t_max) || is_degenerate(v0, v1, v2)) return std::nullopt;
     const T scale = T(1) / det;
     return Hit<T>{.t = t, .uv = {areas.y * scale, areas.z * scale}};
@@ -129,7 +131,7 @@ struct Watertight {
   template <std::floating_point T>
   [[nodiscard]] GLINT_ALWAYS_INLINE static Vec3<T> project(const Vec3<T>& v, const Prepared<T>& shear) noexcept {
     const T z = component(v, shear.z);
-    return {component(v, shear.x) - shear.shear_x * z, component(v, shear.y) - shear.shear_y * z, z};
+    return {component(v, shear.x) - fenced(shear.shear_x * z), component(v, shear.y) - fenced(shear.shear_y * z), z};
   }
 
   /// Where rounded products tie, the exact areas decide. False where the ray passes outside.

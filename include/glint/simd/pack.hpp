@@ -99,6 +99,13 @@ template <typename Word>
 
 }  // namespace detail
 
+/// The same number, rounded as written: a product passed through here is not fused with a later sum, so that numbers
+/// and packs give the same results, whatever the compiler and its flags.
+template <std::floating_point T>
+[[nodiscard]] GLINT_ALWAYS_INLINE T fenced(T x) noexcept {
+  return detail::fenced_word(x);
+}
+
 /// N lanes of T, computed W at a time: by vector registers, or with W = 1 by plain arithmetic on any compiler.
 ///
 /// Each lane is rounded as the scalar operation would be, so all W give the same results.
@@ -171,7 +178,7 @@ struct Pack {
     for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] > b.word[i] ? a.word[i] : b.word[i];
     return p;
   }
-  /// The same lanes, rounded as written: a product passed through here is not fused with a later sum.
+  /// The same lanes, rounded as written.
   [[nodiscard]] GLINT_ALWAYS_INLINE friend Pack fenced(const Pack& a) noexcept {
     Pack p;
     for (std::size_t i = 0; i < words; ++i) p.word[i] = detail::fenced_word(a.word[i]);

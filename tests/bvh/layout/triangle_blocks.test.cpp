@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <glint/bvh/layout/triangle_blocks.hpp>  // first, so the header proves it stands alone
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,7 +11,6 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/random_rays.hpp>
 #include <glint/testing/random_scenes.hpp>
-#include <glint/testing/ray_caster_laws.hpp>
 
 #include <support/catch.hpp>
 
@@ -43,17 +41,16 @@ void check_blocks(const glint::MeshBuffers<T>& buffers, std::uint64_t seed) {
     const auto expected = oracle.closest(ray);
     const std::optional<glint::Hit<T>> found =
         best.primitive == glint::none<std::uint32_t> ? std::nullopt : std::optional(best);
-    wrong += !glint::testing::agree(ray, found, expected);
+    wrong += found != expected;  // to the last bit
     wrong += any != expected.has_value();
-    wrong += found && expected && found->primitive == expected->primitive && found->t == expected->t &&
-             std::abs(found->uv.x - expected->uv.x) > T(1e-5);
   }
   CHECK(wrong == 0);
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("triangle blocks: hit what the mesh's own test hits", "[bvh][layout]", float, double) {
+TEMPLATE_TEST_CASE("triangle blocks: hit what the mesh's own test hits, to the last bit", "[bvh][layout]", float,
+                   double) {
   using T = TestType;
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     check_blocks<T, 4>(glint::testing::scanned_blob<T>(200, seed), seed);

@@ -24,7 +24,7 @@
 namespace glint {
 
 /// The triangles of a mesh, copied in the order of the leaves into blocks of N that are tested at once, by the same
-/// arithmetic as Watertight. What a block cannot decide, a ray through an edge, it asks the mesh for.
+/// arithmetic as Watertight, to the last bit. What a block cannot decide, a ray through an edge, it asks the mesh for.
 ///
 /// Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 template <std::floating_point T, std::unsigned_integral VertexIndex, int N = 4>
@@ -150,8 +150,8 @@ class TriangleBlocks {
   [[nodiscard]] GLINT_ALWAYS_INLINE static Projected project(const std::array<Pack<T, N>, 3>& vertex,
                                                              const Prepared& ray) noexcept {
     const Pack<T, N> z = vertex[std::size_t(ray.shear.z)] - ray.z;
-    return {(vertex[std::size_t(ray.shear.x)] - ray.x) - ray.shear_x * z,
-            (vertex[std::size_t(ray.shear.y)] - ray.y) - ray.shear_y * z, z};
+    return {(vertex[std::size_t(ray.shear.x)] - ray.x) - fenced(ray.shear_x * z),
+            (vertex[std::size_t(ray.shear.y)] - ray.y) - fenced(ray.shear_y * z), z};
   }
   [[nodiscard]] GLINT_ALWAYS_INLINE static Crossings cross(const Block& block, const Prepared& ray) noexcept {
     const Projected a = project(block.vertex[0], ray);
@@ -169,7 +169,7 @@ class TriangleBlocks {
     if (result.inside == 0) return result;
     result.tied = ~(less(zero, least) | less(most, zero));
     result.det = u + v + w;
-    result.t = (u * a.z + v * b.z + w * c.z) * ray.scale_z / result.det;
+    result.t = (fenced(u * a.z) + fenced(v * b.z) + fenced(w * c.z)) * ray.scale_z / result.det;
     result.v = v;
     result.w = w;
     return result;
