@@ -71,6 +71,11 @@ class Film {
     }
   };
 
+  struct Range {
+    int first = 0;
+    int last = 0;
+  };
+
  public:
   static constexpr int block_size = 16;  ///< the edge of a block in pixels
   static constexpr float max_radius = 8;
@@ -122,22 +127,27 @@ class Film {
       const Range columns = film_->footprint(at.x);
       const Range rows = film_->footprint(at.y);
       if constexpr (SeparableFilter<G>) {
-        const auto profile = filter.profile();
-        std::array<float, widest_footprint> across{};
-        for (int x = columns.first; x <= columns.last; ++x) {
-          across[static_cast<std::size_t>(x - columns.first)] = profile(from_center(at.x, x));
-        }
-        for (int y = rows.first; y <= rows.last; ++y) {
-          const float down = profile(from_center(at.y, y));
-          for (int x = columns.first; x <= columns.last; ++x) {
-            sums(x, y).add(down * across[static_cast<std::size_t>(x - columns.first)], value);
-          }
-        }
+        splat_separable(filter.profile(), columns, rows, at, value);
       } else {
         for (int y = rows.first; y <= rows.last; ++y) {
           for (int x = columns.first; x <= columns.last; ++x) {
             sums(x, y).add(filter.evaluate({from_center(at.x, x), from_center(at.y, y)}), value);
           }
+        }
+      }
+    }
+
+    template <typename Profile>
+    void splat_separable(const Profile& profile, Range columns, Range rows, const Vec2<float>& at,
+                         const Rgb& value) noexcept {
+      std::array<float, widest_footprint> across{};
+      for (int x = columns.first; x <= columns.last; ++x) {
+        across[static_cast<std::size_t>(x - columns.first)] = profile(from_center(at.x, x));
+      }
+      for (int y = rows.first; y <= rows.last; ++y) {
+        const float down = profile(from_center(at.y, y));
+        for (int x = columns.first; x <= columns.last; ++x) {
+          sums(x, y).add(down * across[static_cast<std::size_t>(x - columns.first)], value);
         }
       }
     }
@@ -193,10 +203,6 @@ class Film {
   void clear() noexcept { std::fill(sums_.begin(), sums_.end(), Sums{}); }
 
  private:
-  struct Range {
-    int first = 0;
-    int last = 0;
-  };
   static constexpr std::size_t widest_footprint = 2 * static_cast<std::size_t>(max_radius) + 1;
 
   [[nodiscard]] static float from_center(float position, int pixel) noexcept {

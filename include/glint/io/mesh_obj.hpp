@@ -225,9 +225,8 @@ struct ParsedObj {
          std::ranges::all_of(parsed.attributes.vertices, [](float value) { return std::isfinite(value); });
 }
 
-/// Cuts every face into triangles. `corner_counts` are those of all faces in the file's order: tinyobjloader's own end
-/// at 255, and its triangulation fails for many concave polygons.
-inline void triangulate_obj(const ParsedObj& parsed, const std::vector<std::uint32_t>& corner_counts, ObjMesh& mesh) {
+/// A builder that keeps the attributes which any corner has.
+[[nodiscard]] inline ObjMeshBuilder builder_for(const ParsedObj& parsed) {
   bool with_normals = false;
   bool with_uvs = false;
   for (const auto& shape : parsed.shapes) {
@@ -236,7 +235,13 @@ inline void triangulate_obj(const ParsedObj& parsed, const std::vector<std::uint
       with_uvs = with_uvs || corner.texcoord_index >= 0;
     }
   }
-  ObjMeshBuilder builder(parsed.attributes, with_normals, with_uvs);
+  return ObjMeshBuilder(parsed.attributes, with_normals, with_uvs);
+}
+
+/// Cuts every face into triangles. `corner_counts` are those of all faces in the file's order: tinyobjloader's own end
+/// at 255, and its triangulation fails for many concave polygons.
+inline void triangulate_obj(const ParsedObj& parsed, const std::vector<std::uint32_t>& corner_counts, ObjMesh& mesh) {
+  ObjMeshBuilder builder = builder_for(parsed);
   PolygonCutter cutter;
   std::vector<Vec3<float>> corners;
   std::size_t face = 0;
@@ -246,10 +251,10 @@ inline void triangulate_obj(const ParsedObj& parsed, const std::vector<std::uint
       const std::uint32_t count = corner_counts[face++];
       corners.clear();
       for (std::uint32_t i = 0; i < count; ++i) corners.push_back(builder.position(first[i]));
-      for (const auto& [a, b, c] : cutter.cut(corners)) {
-        builder.add_triangle({first[a], first[b], first[c]});
-        mesh.material_ids.push_back(material < 0 ? none<std::uint32_t> : static_cast<std::uint32_t>(material));
-      }
+      const auto& triangles = cutter.cut(corners);
+      for (const auto& [a, b, c] : triangles) builder.add_triangle({first[a], first[b], first[c]});
+      mesh.material_ids.insert(mesh.material_ids.end(), triangles.size(),
+                               material < 0 ? none<std::uint32_t> : static_cast<std::uint32_t>(material));
       first += count;
     }
   }

@@ -86,22 +86,25 @@ class EnvironmentLight {
   }
 
  private:
-  /// The luminance of each cell times its share of the sphere. Each is the mean over nine points, borders included, so
-  /// that no cell that shines anywhere under bilinear lookup gets zero.
+  /// The mean luminance of a cell over nine points, borders included, so that no cell that shines anywhere under
+  /// bilinear lookup gets zero.
+  [[nodiscard]] static float cell_luminance(const T& texture, Vec2i cell, Vec2i resolution) {
+    float sum = 0;
+    for (const float y : {0.0F, 0.5F, 1.0F}) {
+      for (const float x : {0.0F, 0.5F, 1.0F}) {
+        sum += luminance(texture.evaluate((Vec2<float>(cell) + Vec2<float>{x, y}) / Vec2<float>(resolution)));
+      }
+    }
+    return sum / 9;
+  }
+
+  /// The luminance of each cell times its share of the sphere.
   [[nodiscard]] static std::vector<float> table(const T& texture, Vec2i resolution) {
     std::vector<float> cells;
     cells.reserve(static_cast<std::size_t>(resolution.x) * static_cast<std::size_t>(resolution.y));
     for (int y = 0; y < resolution.y; ++y) {
       const float share = std::sin(pi<float> * (static_cast<float>(y) + 0.5F) / static_cast<float>(resolution.y));
-      for (int x = 0; x < resolution.x; ++x) {
-        float sum = 0;
-        for (int corner = 0; corner < 9; ++corner) {
-          const Vec2<float> at{static_cast<float>(x) + 0.5F * static_cast<float>(corner % 3),
-                               static_cast<float>(y) + 0.5F * static_cast<float>(corner / 3)};
-          sum += luminance(texture.evaluate(at / Vec2<float>(resolution)));
-        }
-        cells.push_back(sum / 9 * share);
-      }
+      for (int x = 0; x < resolution.x; ++x) cells.push_back(cell_luminance(texture, {x, y}, resolution) * share);
     }
     return cells;
   }

@@ -21,34 +21,78 @@ namespace glint {
 
 namespace detail {
 
-/// Adds all samples of one film block's pixels, until stopped.
-template <SceneLike S, RayGenerator G, typename I, typename Block, SampleSequence Q>
-[[nodiscard]] RenderReport render_block(const S& scene, const G& generator, const I& integrator, Block block,
-                                        Vec2i film_size, const RenderOptions& options, const Q& sequence) {
-  RenderReport report;
-  const Counted counted{scene, report.rays};
-  const Vec2<float> scale = Vec2<float>(1) / Vec2<float>(film_size);
-  const auto [begin, end] = block.pixels();
-  for (int y = begin.y; y < end.y; ++y) {
-    for (int x = begin.x; x < end.x; ++x) {
-      if (options.stop.stop_requested()) {
-        report.complete = false;
-        return report;
+/// What all samples of a rendering have in common. A value of references: it lives as long as one call of render.
+template <SceneLike S, RayGenerator G, typename I, SampleSequence Q>
+struct RenderTask {
+  const S& scene;
+  const G& generator;
+  const I& integrator;
+  const Q& sequence;
+  const RenderOptions& options;
+  Vec2i film_size;
+
+  /// Adds all samples of one pixel.
+  template <typename Block>
+  void render_pixel(Block& block, Vec2i pixel, RenderReport& report) const {
+    const Counted counted{scene, report.rays};
+    const Vec2<float> scale = Vec2<float>(1) / Vec2<float>(film_size);
+    for (int sample = 0; sample < options.samples; ++sample) {
+      auto sampler = sequence.stream(pixel, sample);
+      const Vec2<float> jitter = sampler.next_2d();
+      const Vec2<float> lens = sampler.next_2d();
+      const Vec2<float> at = Vec2<float>(pixel) + jitter;
+      const Ray<float> ray = generator.ray(Vec2<float>{at.x * scale.x, 1 - at.y * scale.y}, lens);
+      const Rgb value = integrator.radiance(counted, ray, sampler);
+      report.dropped += block.add(at, value) ? 0U : 1U;
+    }
+    report.samples += static_cast<std::uint64_t>(options.samples);
+  }
+
+  /// Renders a film block pixel by pixel, until stopped.
+  template <typename Block>
+  void render_block(Block block, RenderReport& report) const {
+    const auto [begin, end] = block.pixels();
+    for (int y = begin.y; y < end.y; ++y) {
+      for (int x = begin.x; x < end.x; ++x) {
+        if (options.stop.stop_requested()) {
+          report.complete = false;
+          return;
+        }
+        render_pixel(block, {x, y}, report);
       }
-      for (int sample = 0; sample < options.samples; ++sample) {
-        auto sampler = sequence.stream(Vec2i{x, y}, sample);
-        const Vec2<float> jitter = sampler.next_2d();
-        const Vec2<float> lens = sampler.next_2d();
-        const Vec2<float> at = Vec2<float>{x, y} + jitter;
-        const Ray<float> ray = generator.ray(Vec2<float>{at.x * scale.x, 1 - at.y * scale.y}, lens);
-        const Rgb value = integrator.radiance(counted, ray, sampler);
-        report.dropped += block.add(at, value) ? 0U : 1U;
-      }
-      report.samples += static_cast<std::uint64_t>(options.samples);
     }
   }
-  return report;
-}
+};
+
+template <SceneLike S, RayGenerator G, typename I, SampleSequence Q>
+RenderTask(const S&, const G&, const I&, const Q&, const RenderOptions&, Vec2i) -> RenderTask<S, G, I, Q>;
+
+/// A film's blocks in square groups, which is how they are handed to threads.
+class Tiles {
+ public:
+  Tiles(Vec2i blocks, int blocks_a_tile)
+      : blocks_(blocks), edge_(blocks_a_tile), grid_((blocks + Vec2i(edge_ - 1)) / Vec2i(edge_)) {}
+
+  [[nodiscard]] std::size_t count() const noexcept {
+    return static_cast<std::size_t>(grid_.x) * static_cast<std::size_t>(grid_.y);
+  }
+
+  /// Calls f with the number of each block of a tile.
+  template <typename F>
+  void for_each_block(std::size_t tile, const F& f) const {
+    const Vec2i begin = Vec2i{static_cast<int>(tile) % grid_.x, static_cast<int>(tile) / grid_.x} * edge_;
+    for (int y = begin.y; y < std::min(begin.y + edge_, blocks_.y); ++y) {
+      for (int x = begin.x; x < std::min(begin.x + edge_, blocks_.x); ++x) {
+        f(static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks_.x) + static_cast<std::size_t>(x));
+      }
+    }
+  }
+
+ private:
+  Vec2i blocks_;
+  int edge_;
+  Vec2i grid_;
+};
 
 /// Tells the user how far things are, one thread at a time.
 class ProgressTeller {
@@ -90,27 +134,17 @@ RenderReport render(const S& scene, const C& camera, const I& integrator, Film<F
                     const RenderOptions& options = {}, const E& executor = {}, const Q& sequence = {}) {
   const Vec2i size = film.size();
   const auto generator = camera.rays(static_cast<float>(size.x) / static_cast<float>(size.y));
-  const Vec2i blocks = film.block_grid();
-  const int blocks_a_tile = std::max(1, (options.tile_size + Film<F>::block_size - 1) / Film<F>::block_size);
-  const Vec2i tiles = (blocks + Vec2i(blocks_a_tile - 1)) / Vec2i(blocks_a_tile);
-
-  std::vector<RenderReport> reports(static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y));
+  const detail::RenderTask task{scene, generator, integrator, sequence, options, size};
+  const detail::Tiles tiles(film.block_grid(),
+                            std::max(1, (options.tile_size + Film<F>::block_size - 1) / Film<F>::block_size));
+  std::vector<RenderReport> reports(tiles.count());
   detail::ProgressTeller teller(options, static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) *
                                              static_cast<std::uint64_t>(options.samples));
-  const auto render_tile = [&](std::size_t tile) {
-    const Vec2i begin = Vec2i{static_cast<int>(tile) % tiles.x, static_cast<int>(tile) / tiles.x} * blocks_a_tile;
-    for (int y = begin.y; y < std::min(begin.y + blocks_a_tile, blocks.y); ++y) {
-      for (int x = begin.x; x < std::min(begin.x + blocks_a_tile, blocks.x); ++x) {
-        reports[tile] += detail::render_block(
-            scene, generator, integrator,
-            film.block(static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks.x) + static_cast<std::size_t>(x)),
-            size, options, sequence);
-      }
-    }
-    if (reports[tile].complete) teller.advance(reports[tile].samples);
-  };
   executor.parallel_for(reports.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t tile = first; tile < last; ++tile) render_tile(tile);
+    for (std::size_t tile = first; tile < last; ++tile) {
+      tiles.for_each_block(tile, [&](std::size_t block) { task.render_block(film.block(block), reports[tile]); });
+      if (reports[tile].complete) teller.advance(reports[tile].samples);
+    }
   });
 
   RenderReport total;

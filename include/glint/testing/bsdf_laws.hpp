@@ -68,12 +68,11 @@ class BsdfTrial {
   /// The poles, the plane of the surface, and close to it on either side.
   [[nodiscard]] static std::vector<Vec3<float>> extreme_directions() {
     std::vector<Vec3<float>> result{{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -1.0F}};
-    for (const float z : {0.0F, 1e-6F, 1e-3F}) {
-      for (const float r : {std::sqrt(1.0F - z * z), -std::sqrt(1.0F - z * z)}) {
-        for (const float side : {z, -z}) {
-          result.push_back({r, 0.0F, side});
-          result.push_back({0.0F, r, side});
-        }
+    for (const float z : {0.0F, -0.0F, 1e-6F, -1e-6F, 1e-3F, -1e-3F}) {
+      const float r = std::sqrt(1.0F - z * z);
+      for (const Vec3<float>& w :
+           {Vec3<float>{r, 0.0F, z}, Vec3<float>{-r, 0.0F, z}, Vec3<float>{0.0F, r, z}, Vec3<float>{0.0F, -r, z}}) {
+        result.push_back(w);
       }
     }
     return result;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <sstream>
@@ -80,6 +81,58 @@ struct ChiSquareResult {
   std::string message;  ///< the figures, and if failed the reason
 };
 
+namespace detail {
+
+/// Sums up how far counts are from their expectations, cell by cell.
+struct ChiSquareTally {
+  double statistic = 0;
+  int cells = 0;
+  double worst = -1;
+  std::size_t worst_cell = 0;
+  double rare_observed = 0;  ///< of the cells that expect too few to be judged alone
+  double rare_expected = 0;
+  double total = 0;
+  bool valid = true;
+
+  void judge(double count, double mean, std::size_t cell) {
+    const double term = (count - mean) * (count - mean) / mean;
+    statistic += term;
+    ++cells;
+    if (term > worst) {
+      worst = term;
+      worst_cell = cell;
+    }
+  }
+
+  void add(double count, double mean, std::size_t cell) {
+    constexpr double fewest = 5;
+    total += count;
+    if (!(mean >= 0 && mean < infinity<double>)) {
+      valid = false;
+    } else if (mean >= fewest) {
+      judge(count, mean, cell);
+    } else {
+      rare_observed += count;
+      rare_expected += mean;
+    }
+  }
+
+  /// The rare cells are judged as one, or where even that is rare, by the chance of at least as many.
+  [[nodiscard]] double p_value(std::size_t rare_cell) {
+    double rare_p = 1;
+    if (rare_expected >= 5) {
+      judge(rare_observed, rare_expected, rare_cell);
+    } else if (rare_observed > 0) {
+      rare_p = 1 - regularized_gamma_q(rare_observed, rare_expected + 1e-6 * total);
+    }
+    if (!valid) return 0;
+    const double common_p = cells > 0 ? chi_square_p_value(statistic, std::max(1, cells - 1)) : 1.0;
+    return std::min(1.0, rare_p < 1 ? 2 * std::min(rare_p, common_p) : common_p);
+  }
+};
+
+}  // namespace detail
+
 /// Compares counts with what they should be on average.
 ///
 /// Cells that expect fewer than five counts are judged together, and where even all of them expect fewer, by the exact
@@ -91,54 +144,20 @@ struct ChiSquareResult {
 [[nodiscard]] inline ChiSquareResult chi_square(std::span<const double> observed, std::span<const double> expected,
                                                 const ChiSquareOptions& options = {}) {
   GLINT_ASSERT(observed.size() == expected.size());
-  constexpr double fewest = 5;
-  double statistic = 0;
-  int cells = 0;
-  double rare_observed = 0;
-  double rare_expected = 0;
-  double worst = -1;
-  std::size_t worst_cell = 0;
-  const auto judge = [&](double count, double mean, std::size_t cell) {
-    const double term = (count - mean) * (count - mean) / mean;
-    statistic += term;
-    ++cells;
-    if (term > worst) {
-      worst = term;
-      worst_cell = cell;
-    }
-  };
-  double total = 0;
-  bool valid = true;
-  for (std::size_t i = 0; i < observed.size(); ++i) {
-    total += observed[i];
-    if (!(expected[i] >= 0 && expected[i] < infinity<double>)) {
-      valid = false;
-    } else if (expected[i] >= fewest) {
-      judge(observed[i], expected[i], i);
-    } else {
-      rare_observed += observed[i];
-      rare_expected += expected[i];
-    }
-  }
-  double rare_p = 1;
-  if (rare_expected >= fewest) {
-    judge(rare_observed, rare_expected, observed.size());
-  } else if (rare_observed > 0) {  // the chance of at least as many: P(observed, expected)
-    rare_p = 1 - regularized_gamma_q(rare_observed, rare_expected + 1e-6 * total);
-  }
-  const double common_p = cells > 0 ? chi_square_p_value(statistic, std::max(1, cells - 1)) : 1.0;
-  const double limit = sidak(options.significance, options.tests);
+  detail::ChiSquareTally tally;
+  for (std::size_t i = 0; i < observed.size(); ++i) tally.add(observed[i], expected[i], i);
   ChiSquareResult result;
-  result.p_value = valid ? std::min(1.0, rare_p < 1 ? 2 * std::min(rare_p, common_p) : common_p) : 0.0;
+  result.p_value = tally.p_value(observed.size());
+  const double limit = sidak(options.significance, options.tests);
   result.passed = result.p_value >= limit;
   std::ostringstream message;
   message << (result.passed ? "passed" : "FAILED") << ": p = " << result.p_value << ", limit " << limit
-          << "; chi-square " << statistic << " over " << cells << " cells; rare cells hold " << rare_observed
-          << ", expected " << rare_expected;
-  if (!valid) message << "; an expected count is negative or not finite";
-  if (worst_cell < observed.size() && cells > 0) {
-    message << "; worst cell " << worst_cell << " holds " << observed[worst_cell] << ", expected "
-            << expected[worst_cell];
+          << "; chi-square " << tally.statistic << " over " << tally.cells << " cells; rare cells hold "
+          << tally.rare_observed << ", expected " << tally.rare_expected;
+  if (!tally.valid) message << "; an expected count is negative or not finite";
+  if (tally.worst_cell < observed.size() && tally.cells > 0) {
+    message << "; worst cell " << tally.worst_cell << " holds " << observed[tally.worst_cell] << ", expected "
+            << expected[tally.worst_cell];
   }
   result.message = message.str();
   return result;
@@ -187,42 +206,57 @@ template <typename Density>
   return sum;
 }
 
+/// How many of `options.samples` points fall into each cell; nothing where one is not finite or out of the domain.
+template <typename Sample>
+[[nodiscard]] std::optional<std::vector<double>> counted_points(const Sample& sample, const ChiSquareOptions& options) {
+  const Vec2<double> resolution(options.resolution);
+  const auto width = static_cast<std::size_t>(options.resolution.x);
+  std::vector<double> counts(width * static_cast<std::size_t>(options.resolution.y), 0.0);
+  Random random{options.seed};
+  for (int i = 0; i < options.samples; ++i) {
+    const std::optional<Vec2<double>> point = sample(random);
+    if (!point) continue;
+    const Vec2<double> at = *point * resolution;
+    if (!(at.x >= 0 && at.y >= 0 && at.x <= resolution.x && at.y <= resolution.y)) return std::nullopt;
+    const auto x = static_cast<std::size_t>(std::min(at.x, resolution.x - 1));
+    const auto y = static_cast<std::size_t>(std::min(at.y, resolution.y - 1));
+    counts[y * width + x] += 1;
+  }
+  return counts;
+}
+
+/// How many points each cell should get by the density. Cells that differ much are integrated more finely: a peak may
+/// hide between the points.
+template <typename Density>
+[[nodiscard]] std::vector<double> expected_points(const Density& density, const std::vector<double>& observed,
+                                                  const ChiSquareOptions& options) {
+  const double samples = options.samples;
+  const Vec2<double> size = 1.0 / Vec2<double>(options.resolution);
+  std::vector<double> expected;
+  for (int y = 0; y < options.resolution.y; ++y) {
+    for (int x = 0; x < options.resolution.x; ++x) {
+      const Cell cell{Vec2<double>(x, y) * size, size};
+      const double coarse = samples * integral(density, cell, 0.01 / samples, 0);
+      const bool doubtful = !(std::abs(observed[expected.size()] - coarse) <= 3 * std::sqrt(coarse + 1));
+      expected.push_back(doubtful ? samples * integral(density, cell, 0.01 / samples, 5) : coarse);
+    }
+  }
+  return expected;
+}
+
 /// The test in the unit square: `sample(random)` gives a point or nothing, `density(point)` must integrate to the
 /// chance of a point.
 template <typename Sample, typename Density>
 [[nodiscard]] ChiSquareResult chi_square_unit(const Sample& sample, const Density& density,
                                               const ChiSquareOptions& options) {
-  const Vec2<double> resolution(options.resolution);
-  const auto width = static_cast<std::size_t>(options.resolution.x);
-  const std::size_t size = width * static_cast<std::size_t>(options.resolution.y);
-  std::vector<double> observed(size, 0.0);
-  std::vector<double> expected(size, 0.0);
-  Random random{options.seed};
-  double accepted = 0;
-  for (int i = 0; i < options.samples; ++i) {
-    const std::optional<Vec2<double>> point = sample(random);
-    if (!point) continue;
-    const Vec2<double> at = *point * resolution;
-    if (!(at.x >= 0 && at.y >= 0 && at.x <= resolution.x && at.y <= resolution.y)) {
-      return {.p_value = 0, .passed = false, .message = "FAILED: a sample is not finite or out of the domain"};
-    }
-    const auto x = static_cast<std::size_t>(std::min(at.x, resolution.x - 1));
-    const auto y = static_cast<std::size_t>(std::min(at.y, resolution.y - 1));
-    observed[y * width + x] += 1;
-    accepted += 1;
-  }
+  const auto observed = counted_points(sample, options);
+  if (!observed)
+    return {.p_value = 0, .passed = false, .message = "FAILED: a sample is not finite or out of the domain"};
+  const std::vector<double> expected = expected_points(density, *observed, options);
   const double samples = options.samples;
-  double total = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    const Cell cell{Vec2<double>(static_cast<double>(i % width), static_cast<double>(i / width)) / resolution,
-                    1.0 / resolution};
-    const double tolerance = 0.01 / samples;
-    expected[i] = samples * integral(density, cell, tolerance, 0);
-    const bool doubtful = !(std::abs(observed[i] - expected[i]) <= 3 * std::sqrt(expected[i] + 1));
-    if (doubtful) expected[i] = samples * integral(density, cell, tolerance, 5);  // a peak may hide between the points
-    total += expected[i];
-  }
-  ChiSquareResult result = chi_square(observed, expected, options);
+  const double accepted = std::accumulate(observed->begin(), observed->end(), 0.0);
+  const double total = std::accumulate(expected.begin(), expected.end(), 0.0);
+  ChiSquareResult result = chi_square(*observed, expected, options);
   const double share = std::min(1.0, total / samples);
   const double allowed = 5 * std::sqrt(samples * share * (1 - share)) + 2e-3 * samples;
   std::ostringstream message;

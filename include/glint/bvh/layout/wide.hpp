@@ -39,22 +39,12 @@ class WideNodes {
       root_ = {top.first, top.count};
       return;
     }
-    std::vector<std::pair<I, I>> pending{{I(0), I(0)}};  // a node of the tree, and the node that takes its place
+    std::vector<Replacement> pending{{I(0), I(0)}};
     nodes_.resize(1);
     while (!pending.empty()) {
-      const auto [from, to] = pending.back();
+      const Replacement next = pending.back();
       pending.pop_back();
-      const Children children = opened(tree, from);
-      for (int i = 0; i < children.size; ++i) {
-        const BinaryNode<T, I>& child = tree.nodes[children.index[std::size_t(i)]];
-        if (!child.is_leaf()) {
-          pending.emplace_back(children.index[std::size_t(i)], I(nodes_.size()));
-          place(nodes_[to], i, child.bounds, {I(nodes_.size()), 0});
-          nodes_.emplace_back();
-        } else {
-          place(nodes_[to], i, child.bounds, {child.first, child.count});
-        }
-      }
+      replace(tree, next, pending);
     }
     nodes_.shrink_to_fit();
   }
@@ -72,10 +62,32 @@ class WideNodes {
     BoxPack<T, N> boxes = empty_boxes();
     std::array<Link<I>, std::size_t(N)> links{};
   };
+  /// A node of the binary tree, and the node here that takes its place.
+  struct Replacement {
+    I from = 0;
+    I to = 0;
+  };
   struct Children {
     std::array<I, std::size_t(N)> index{};
     int size = 0;
   };
+
+  /// Puts the children in their places; those that are inner nodes wait to be replaced in turn.
+  void replace(const Tree<T, I>& tree, Replacement next, std::vector<Replacement>& pending) {
+    const Children children = opened(tree, next.from);
+    for (int i = 0; i < children.size; ++i) {
+      const I index = children.index[std::size_t(i)];
+      const BinaryNode<T, I>& child = tree.nodes[index];
+      if (child.is_leaf()) {
+        place(nodes_[next.to], i, child.bounds, {child.first, child.count});
+      } else {
+        const auto to = I(nodes_.size());
+        pending.push_back({index, to});
+        place(nodes_[next.to], i, child.bounds, {to, 0});
+        nodes_.emplace_back();
+      }
+    }
+  }
 
   static BoxPack<T, N> empty_boxes() noexcept {
     const auto low = Pack<T, N>::broadcast(infinity<T>);

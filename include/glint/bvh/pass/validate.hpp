@@ -14,43 +14,63 @@
 namespace glint {
 namespace detail {
 
-/// Checks what can be seen of a tree alone; appends a sentence per broken rule and place.
+/// Checks what can be seen of a tree alone; gathers a sentence per broken rule and place.
 template <std::floating_point T, std::unsigned_integral I>
-void check_nodes(const Tree<T, I>& tree, std::vector<std::string>& wrong) {
-  std::vector<int> visits(tree.nodes.size());
-  std::vector<int> slots(tree.order.size());
-  std::vector<std::pair<std::size_t, int>> pending{{0, 0}};
-  int depth = 0;
-  while (!pending.empty()) {
-    const auto [at, steps] = pending.back();
-    pending.pop_back();
-    const BinaryNode<T, I>& node = tree.nodes[at];
-    const std::string name = "node " + std::to_string(at);
-    depth = std::max(depth, steps);
-    if (++visits[at] > 1) {
-      wrong.push_back(name + " has two parents");
+class NodeCheck {
+ public:
+  NodeCheck(const Tree<T, I>& tree, std::vector<std::string>& wrong)
+      : tree_(tree), wrong_(wrong), visits_(tree.nodes.size()), slots_(tree.order.size()) {}
+
+  /// Requires: the tree has nodes.
+  void run() {
+    while (!pending_.empty()) {
+      const auto [at, steps] = pending_.back();
+      pending_.pop_back();
+      depth_ = std::max(depth_, steps);
+      visit(at, steps, "node " + std::to_string(at));
+    }
+    if (depth_ != tree_.depth) wrong_.push_back("the tree's depth is " + std::to_string(depth_));
+    if (depth_ > Tree<T, I>::max_depth) wrong_.push_back("the tree is too deep");
+    if (std::count(visits_.begin(), visits_.end(), 0) != 0) wrong_.push_back("some nodes have no parent");
+    if (std::any_of(slots_.begin(), slots_.end(), [](int n) { return n != 1; })) {
+      wrong_.push_back("some slots are not in one leaf");
+    }
+  }
+
+ private:
+  void visit(std::size_t at, int steps, const std::string& name) {
+    const BinaryNode<T, I>& node = tree_.nodes[at];
+    if (++visits_[at] > 1) {
+      wrong_.push_back(name + " has two parents");
     } else if (node.is_leaf()) {
-      for (std::size_t slot = node.first; slot < std::size_t(node.first) + node.count; ++slot) {
-        if (slot < slots.size())
-          ++slots[slot];
-        else
-          wrong.push_back(name + " has a slot beyond the order");
-      }
-    } else if (node.first == 0 || std::size_t(node.first) + 1 >= tree.nodes.size()) {
-      wrong.push_back(name + " has children that do not exist");
+      count_slots(node, name);
+    } else if (node.first == 0 || std::size_t(node.first) + 1 >= tree_.nodes.size()) {
+      wrong_.push_back(name + " has children that do not exist");
     } else {
       for (const std::size_t child : {std::size_t(node.first), std::size_t(node.first) + 1}) {
-        if (!contains(node.bounds, tree.nodes[child].bounds)) wrong.push_back(name + " does not hold its children");
-        pending.emplace_back(child, steps + 1);
+        if (!contains(node.bounds, tree_.nodes[child].bounds)) wrong_.push_back(name + " does not hold its children");
+        pending_.emplace_back(child, steps + 1);
       }
     }
   }
-  if (depth != tree.depth) wrong.push_back("the tree's depth is " + std::to_string(depth));
-  if (depth > Tree<T, I>::max_depth) wrong.push_back("the tree is too deep");
-  if (std::count(visits.begin(), visits.end(), 0) != 0) wrong.push_back("some nodes have no parent");
-  if (std::any_of(slots.begin(), slots.end(), [](int n) { return n != 1; }))
-    wrong.push_back("some slots are not in one leaf");
-}
+
+  void count_slots(const BinaryNode<T, I>& leaf, const std::string& name) {
+    for (std::size_t slot = leaf.first; slot < std::size_t(leaf.first) + leaf.count; ++slot) {
+      if (slot < slots_.size()) {
+        ++slots_[slot];
+      } else {
+        wrong_.push_back(name + " has a slot beyond the order");
+      }
+    }
+  }
+
+  const Tree<T, I>& tree_;
+  std::vector<std::string>& wrong_;
+  std::vector<int> visits_;
+  std::vector<int> slots_;
+  std::vector<std::pair<std::size_t, int>> pending_{{0, 0}};
+  int depth_ = 0;
+};
 
 }  // namespace detail
 
@@ -64,7 +84,7 @@ template <BoundedSet S>
 [[nodiscard]] std::vector<std::string> violations(const Tree<typename S::Scalar, typename S::Index>& tree,
                                                   const S& set) {
   std::vector<std::string> wrong;
-  if (!tree.nodes.empty()) detail::check_nodes(tree, wrong);
+  if (!tree.nodes.empty()) detail::NodeCheck(tree, wrong).run();
   if (tree.nodes.empty() && !(tree.order.empty() && tree.depth == 0))
     wrong.emplace_back("a tree without nodes has an order or a depth");
   if (!wrong.empty()) return wrong;
