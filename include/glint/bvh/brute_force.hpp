@@ -49,8 +49,8 @@ class BruteForce {
       if (intersect(ray, Index(i))) return true;
     return false;
   }
-  [[nodiscard]] SurfaceOf<Scalar> surface(const Ray<Scalar>& ray,
-                                          const Hit<Scalar, Index>& hit) const requires ShadableSet<S> {
+  [[nodiscard]] SurfaceOf<Scalar> surface(const Ray<Scalar>& ray, const Hit<Scalar, Index>& hit) const
+      requires(ShadableSet<S>) {
     return set_.surface(ray, hit);
   }
 

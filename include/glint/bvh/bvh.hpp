@@ -34,7 +34,7 @@ namespace glint {
 /// Ensures: of hits at the same t, the one of the smallest index. Primitives without a finite, non-empty box are never
 ///          hit; statistics().left_out counts them.
 /// Threads: const means shareable.
-template <PrimitiveSet S, typename LayoutName = WideLayout<8>>
+template <PrimitiveSet S, LayoutChoice LayoutName = WideLayout<8>>
 class Bvh {
  public:
   using Scalar = typename S::Scalar;
@@ -46,93 +46,78 @@ class Bvh {
   static constexpr BinnedSah default_builder{.block_size = Leaves::block_size};
 
   /// The set is kept by value: where it is a view, what it views must outlive the Bvh, unchanged.
-  template <typename Builder = BinnedSah, Executor E = Serial>
-    requires BuilderFor<Builder, S>
+  template <BuilderFor<S> Builder = BinnedSah, Executor E = Serial>
   explicit Bvh(S set, const Builder& builder = default_builder, const E& executor = {}, LayoutName layout = {})
       : Bvh(set, builder.build(set, executor), layout) {}
 
-  template <typename Builder>
-    requires BuilderFor<Builder, S> Bvh(S set, const Builder& builder, LayoutName layout)
-        : Bvh(set, builder.build(set, Serial{}), layout) {}
+  template <BuilderFor<S> Builder>
+  Bvh(S set, const Builder& builder, LayoutName layout) : Bvh(set, builder.build(set, Serial{}), layout) {}
 
-    /// Over a tree made before. Requires: a valid tree over this set.
-    Bvh(S set, Tree<Scalar, Index> tree, LayoutName /*layout*/ = {})
-        : set_(std::move(set)),
-          statistics_(glint::statistics(tree)),
-          bounds_(tree.nodes.empty() ? Aabb<Scalar>{} : tree.nodes.front().bounds),
-          reach_(max_component(extent(bounds_))),
-          leaves_(make_leaves(set_, tree)),
-          nodes_(tree) {}
+  /// Over a tree made before. Requires: a valid tree over this set.
+  Bvh(S set, Tree<Scalar, Index> tree, LayoutName /*layout*/ = {})
+      : set_(std::move(set)),
+        statistics_(glint::statistics(tree)),
+        bounds_(tree.nodes.empty() ? Aabb<Scalar>{} : tree.nodes.front().bounds),
+        reach_(max_component(extent(bounds_))),
+        leaves_(make_leaves(set_, tree)),
+        nodes_(tree) {}
 
-    [[nodiscard]] const S& set() const noexcept {
-      return set_;
-    }
-    /// Of the tree that was built, before it was laid out.
-    [[nodiscard]] const TreeStatistics& statistics() const noexcept {
-      return statistics_;
-    }
-    /// Memory in use beside the set's own.
-    [[nodiscard]] std::size_t bytes() const noexcept {
-      return nodes_.bytes() + leaves_.bytes();
-    }
-    [[nodiscard]] Aabb<Scalar> bounds() const noexcept {
-      return bounds_;
-    }
+  [[nodiscard]] const S& set() const noexcept { return set_; }
+  /// Of the tree that was built, before it was laid out.
+  [[nodiscard]] const TreeStatistics& statistics() const noexcept { return statistics_; }
+  /// Memory in use beside the set's own.
+  [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.bytes() + leaves_.bytes(); }
+  [[nodiscard]] Aabb<Scalar> bounds() const noexcept { return bounds_; }
 
-    [[nodiscard]] std::optional<Hit<Scalar, Index>> closest(const Ray<Scalar>& ray) const {
-      RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray, reach_);
-      const auto prepared = leaves_.prepare(set_, ray);
-      Ray<Scalar> shortened = ray;
-      Hit<Scalar, Index> best{.t = ray.t_max};
-      traverse(nodes_, query, [&](Slots<Index> slots) {
-        if (leaves_.closest(set_, shortened, prepared, slots, best)) query.shrink(best.t);
-        return Walk::Continue;
-      });
-      if (best.primitive == none<Index>) return std::nullopt;
-      return best;
-    }
+  [[nodiscard]] std::optional<Hit<Scalar, Index>> closest(const Ray<Scalar>& ray) const {
+    RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray, reach_);
+    const auto prepared = leaves_.prepare(set_, ray);
+    Ray<Scalar> shortened = ray;
+    Hit<Scalar, Index> best{.t = ray.t_max};
+    traverse(nodes_, query, [&](Slots<Index> slots) {
+      if (leaves_.closest(set_, shortened, prepared, slots, best)) query.shrink(best.t);
+      return Walk::Continue;
+    });
+    if (best.primitive == none<Index>) return std::nullopt;
+    return best;
+  }
 
-    [[nodiscard]] bool occluded(const Ray<Scalar>& ray) const {
-      const RayQuery<Scalar, Nodes::width, RayOrder::Any> query(ray, reach_);
-      const auto prepared = leaves_.prepare(set_, ray);
-      return traverse(nodes_, query, [&](Slots<Index> slots) {
-               return leaves_.occluded(set_, ray, prepared, slots) ? Walk::Stop : Walk::Continue;
-             }) == Walk::Stop;
-    }
+  [[nodiscard]] bool occluded(const Ray<Scalar>& ray) const {
+    const RayQuery<Scalar, Nodes::width, RayOrder::Any> query(ray, reach_);
+    const auto prepared = leaves_.prepare(set_, ray);
+    return traverse(nodes_, query, [&](Slots<Index> slots) {
+             return leaves_.occluded(set_, ray, prepared, slots) ? Walk::Stop : Walk::Continue;
+           }) == Walk::Stop;
+  }
 
-    /// Requires: a hit that this returned for this ray.
-    [[nodiscard]] SurfaceOf<Scalar> surface(const Ray<Scalar>& ray,
-                                            const Hit<Scalar, Index>& hit) const requires ShadableSet<S> {
-      return set_.surface(ray, hit);
-    }
+  /// Requires: a hit that this returned for this ray.
+  [[nodiscard]] SurfaceOf<Scalar> surface(const Ray<Scalar>& ray, const Hit<Scalar, Index>& hit) const
+      requires(ShadableSet<S>) {
+    return set_.surface(ray, hit);
+  }
 
-   private:
-    S set_;
-    TreeStatistics statistics_;
-    Aabb<Scalar> bounds_;
-    Scalar reach_;
-    Leaves leaves_;  // before the nodes, for it may renumber slots
-    Nodes nodes_;
+ private:
+  S set_;
+  TreeStatistics statistics_;
+  Aabb<Scalar> bounds_;
+  Scalar reach_;
+  Leaves leaves_;  // before the nodes, for it may renumber slots
+  Nodes nodes_;
 };
 
 template <PrimitiveSet S>
 explicit Bvh(S) -> Bvh<S>;
-template <PrimitiveSet S, typename Builder>
-  requires BuilderFor<Builder, S> Bvh(S, Builder)
-->Bvh<S>;
-template <PrimitiveSet S, typename Builder, Executor E>
-  requires BuilderFor<Builder, S> Bvh(S, Builder, const E&)
-->Bvh<S>;
-template <PrimitiveSet S, typename Builder, typename LayoutName>
-  requires(BuilderFor<Builder, S> && !Executor<LayoutName>)
-Bvh(S, Builder, LayoutName)
-->Bvh<S, LayoutName>;
-template <PrimitiveSet S, typename Builder, Executor E, typename LayoutName>
-  requires BuilderFor<Builder, S> Bvh(S, Builder, const E&, LayoutName)
-->Bvh<S, LayoutName>;
+template <PrimitiveSet S, BuilderFor<S> Builder>
+Bvh(S, Builder) -> Bvh<S>;
+template <PrimitiveSet S, BuilderFor<S> Builder, Executor E>
+Bvh(S, Builder, const E&) -> Bvh<S>;
+template <PrimitiveSet S, BuilderFor<S> Builder, LayoutChoice LayoutName>
+Bvh(S, Builder, LayoutName) -> Bvh<S, LayoutName>;
+template <PrimitiveSet S, BuilderFor<S> Builder, Executor E, LayoutChoice LayoutName>
+Bvh(S, Builder, const E&, LayoutName) -> Bvh<S, LayoutName>;
 template <PrimitiveSet S>
 Bvh(S, Tree<typename S::Scalar, typename S::Index>) -> Bvh<S>;
-template <PrimitiveSet S, typename LayoutName>
+template <PrimitiveSet S, LayoutChoice LayoutName>
 Bvh(S, Tree<typename S::Scalar, typename S::Index>, LayoutName) -> Bvh<S, LayoutName>;
 
 }  // namespace glint

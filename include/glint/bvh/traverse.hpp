@@ -88,25 +88,23 @@ template <Layout L, typename Query>
 ///
 /// Ensures: Walk::Stop if a visit said so, which ends the walk; else Walk::Continue.
 /// Cost:    no allocation.
-template <Layout L, typename Query, typename Visit>
-  requires QueryFor<Query, typename L::Scalar, L::width> GLINT_ALWAYS_INLINE Walk traverse(const L& layout,
-                                                                                           const Query& query,
-                                                                                           const Visit& visit) {
-    if (layout.empty()) return Walk::Continue;
-    detail::PendingOf<L> pending;
-    Link<typename L::Index> link = layout.root();
-    while (true) {
-      bool matters = true;
-      while (matters && !link.is_leaf()) matters = detail::descend(layout, query, link, pending);
-      if (matters && visit(link.slots()) == Walk::Stop) return Walk::Stop;
-      bool found = false;
-      while (!found) {
-        if (pending.empty()) return Walk::Continue;
-        const auto next = pending.pop();
-        link = next.link;
-        found = !Query::ordered || next.key <= query.limit();
-      }
+template <Layout L, QueryFor<typename L::Scalar, L::width> Query, typename Visit>
+GLINT_ALWAYS_INLINE Walk traverse(const L& layout, const Query& query, const Visit& visit) {
+  if (layout.empty()) return Walk::Continue;
+  detail::PendingOf<L> pending;
+  Link<typename L::Index> link = layout.root();
+  while (true) {
+    bool matters = true;
+    while (matters && !link.is_leaf()) matters = detail::descend(layout, query, link, pending);
+    if (matters && visit(link.slots()) == Walk::Stop) return Walk::Stop;
+    bool found = false;
+    while (!found) {
+      if (pending.empty()) return Walk::Continue;
+      const auto next = pending.pop();
+      link = next.link;
+      found = !Query::ordered || next.key <= query.limit();
     }
   }
+}
 
 }  // namespace glint

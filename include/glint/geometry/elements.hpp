@@ -72,8 +72,8 @@ class Elements {
   }
 
   /// Where the primitive leaves `position_error` zero, a bound from the ray is put in.
-  [[nodiscard]] SurfaceOf<Scalar> surface(const Ray<Scalar>& ray,
-                                          const Hit<Scalar, I>& hit) const requires ShadablePrimitive<P> {
+  [[nodiscard]] SurfaceOf<Scalar> surface(const Ray<Scalar>& ray, const Hit<Scalar, I>& hit) const
+      requires(ShadablePrimitive<P>) {
     const Hit<Scalar> own{.t = hit.t, .uv = hit.uv};
     auto s = detail::surface_of(primitives_[hit.primitive], ray.at(hit.t), own);
     if (s.position_error == Vec3<Scalar>(Scalar(0))) s.position_error = position_error(ray, hit.t);

@@ -182,7 +182,7 @@ class PrimitiveTrial {
     violations_.expect(!intersect(leaving, primitive_), "what lies behind the origin is not hit", leaving);
   }
 
-  void check_surface(const Ray<T>& ray, const Hit<T>& hit) requires ShadablePrimitive<P> {
+  void check_surface(const Ray<T>& ray, const Hit<T>& hit) requires(ShadablePrimitive<P>) {
     const Vec3<T> position = ray.at(hit.t);
     const SurfaceOf<T> at = surface_at(primitive_, position, hit);
     check_shading_data(ray, at);
@@ -235,7 +235,7 @@ class PrimitiveTrial {
   /// Lines through the sphere around the bounds, uniform in direction and place, cross a surface in points uniform
   /// by area, and area / (2πR²) times in the mean (Crofton). So they tell area and distribution without the
   /// primitive's help.
-  void check_sampling() requires SampleablePrimitive<P> {
+  void check_sampling() requires(SampleablePrimitive<P>) {
     const T radius = size_ * T(0.5) * T(1.01);
     Octants crossed{};
     double crossings = 0;
@@ -270,7 +270,7 @@ class PrimitiveTrial {
     return count;
   }
 
-  void check_samples(const Octants& crossed, double crossings) requires SampleablePrimitive<P> {
+  void check_samples(const Octants& crossed, double crossings) requires(SampleablePrimitive<P>) {
     Octants sampled{};
     int lost = 0;
     for (int i = 0; i < lines_; ++i) {
@@ -291,7 +291,7 @@ class PrimitiveTrial {
     violations_.expect(chi_square <= limit, "sampled points are uniform by area (chi-square)", chi_square, limit);
   }
 
-  [[nodiscard]] bool is_found(const AreaSample<T>& sample) requires SampleablePrimitive<P> {
+  [[nodiscard]] bool is_found(const AreaSample<T>& sample) requires(SampleablePrimitive<P>) {
     const SurfaceOf<T>& at = sample.surface;
     const T distance = size_ * random_.uniform(T(0.1), T(2));
     const T side = random_.uniform<T>() < T(0.5) ? T(-1) : T(1);
