@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Every header has its test and every test its header: include/glint/X.hpp and tests/X.test.cpp."""
+"""Every header has its test and every test its header: include/glint/X.hpp and tests/X.test.cpp.
+
+And every header is where readers look for it: in glint.hpp, but for testing/, and in the map of the headers."""
 
 import source_tree
 
@@ -14,6 +16,17 @@ ALONE = "// first, so the header proves it stands alone"
 
 def nothing_to_run(name):
     return name in NOTHING_TO_RUN or name.split("/")[-1] == "concepts.hpp"  # laws are tested on the models
+
+
+def check_listed(report, headers):
+    everything = source_tree.ROOT / "include/glint/glint.hpp"
+    page = source_tree.ROOT / "docs/reference/headers.md"
+    included, mapped = everything.read_text(), page.read_text()
+    for name in sorted(headers.keys() - {"glint.hpp"}):
+        if not name.startswith("testing/") and f"#include <glint/{name}>" not in included:
+            report.add(everything, 1, f"does not include <glint/{name}>")
+        if f"glint/{name}" not in mapped:
+            report.add(page, 1, f"does not name {name}")
 
 
 def main():
@@ -34,6 +47,7 @@ def main():
         first = next(((n, line) for n, line in enumerate(lines, 1) if line.startswith("#include")), (1, ""))
         if first[1] != f"#include <glint/{name}>  {ALONE}":
             report.add(mirrors[name], first[0], f"must first say: #include <glint/{name}>  {ALONE}")
+    check_listed(report, headers)
     report.end(f"{len(mirrors)} tests mirror {len(headers)} headers")
 
 
