@@ -3,7 +3,6 @@
 #include <pthread.h>
 
 #include <csignal>
-#include <ctime>
 #include <stop_token>
 #include <thread>
 
@@ -19,6 +18,7 @@ class InterruptWatcher {
   InterruptWatcher& operator=(const InterruptWatcher&) = delete;
   ~InterruptWatcher() {
     waiting_.request_stop();
+    pthread_kill(waiting_.native_handle(), SIGTERM);  // to that thread alone, which waits for one
     waiting_.join();
     pthread_sigmask(SIG_SETMASK, &former_, nullptr);
   }
@@ -35,10 +35,8 @@ class InterruptWatcher {
   }
 
   void wait(const std::stop_token& ended) {
-    constexpr timespec patience{.tv_sec = 0, .tv_nsec = 50'000'000};
-    while (!ended.stop_requested()) {
-      if (sigtimedwait(&signals_, nullptr, &patience) > 0) interrupt_.request_stop();
-    }
+    int signal = 0;
+    while (sigwait(&signals_, &signal) == 0 && !ended.stop_requested()) interrupt_.request_stop();
   }
 
   sigset_t signals_;

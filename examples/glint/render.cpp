@@ -125,14 +125,14 @@ Rendering render_scene(const glint::SceneFile& file, const RenderArguments& argu
 }
 
 void tell(const glint::SceneFile& scene, const RenderArguments& arguments, const glint::RenderReport& report,
-          double loading_seconds, const std::vector<std::filesystem::path>& outputs) {
+          double other_seconds, const std::vector<std::filesystem::path>& outputs) {
   if (report.dropped != 0) {
     std::fprintf(stderr, "glint: warning: %llu samples were not finite and left out\n",
                  static_cast<unsigned long long>(report.dropped));
   }
   if (arguments.quiet) return;
-  std::printf("%dx%d, %d samples a pixel, in %s (%.2f s before the first sample)\n", scene.film.resolution.x,
-              scene.film.resolution.y, scene.integrator.samples, clock_time(report.seconds).c_str(), loading_seconds);
+  std::printf("%dx%d, %d samples a pixel, in %s (and %.2f s for reading and writing)\n", scene.film.resolution.x,
+              scene.film.resolution.y, scene.integrator.samples, clock_time(report.seconds).c_str(), other_seconds);
   std::printf("%.2f M samples/s, %.2f M rays/s\n", static_cast<double>(report.samples) / report.seconds * 1e-6,
               static_cast<double>(report.rays) / report.seconds * 1e-6);
   for (const std::filesystem::path& output : outputs) {
@@ -156,14 +156,16 @@ int render_file(const RenderArguments& arguments) {
   const InterruptWatcher interrupt;  // before the executor, whose threads are to leave signals alone as well
   const auto executor = arguments.threads > 0 ? std::make_unique<glint::TbbExecutor>(arguments.threads)
                                               : std::make_unique<glint::TbbExecutor>();
-  const auto [image, report] = render_scene(scene, arguments, *executor, interrupt.token());
-  if (!report.complete) {
+  const Rendering rendering = render_scene(scene, arguments, *executor, interrupt.token());
+  if (!rendering.report.complete) {
     std::fputs("glint: interrupted, nothing written\n", stderr);
     return interrupted;
   }
-  for (const std::filesystem::path& output : outputs) write(image, output, arguments.exposure);
+  executor->parallel_for(outputs.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) write(rendering.image, outputs[i], arguments.exposure);
+  });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  tell(scene, arguments, report, std::max(0.0, seconds - report.seconds), outputs);
+  tell(scene, arguments, rendering.report, std::max(0.0, seconds - rendering.report.seconds), outputs);
   return 0;
 }
 

@@ -35,7 +35,7 @@ namespace detail {
 /// A ray without a line, by a NaN or a zero direction, becomes one at infinity: all bounded boxes lie wholly beyond it
 /// in y and wholly behind it in x, so no box needs a check of its own.
 template <std::floating_point T>
-[[nodiscard]] SlabRay<T> prepare_slabs(const Ray<T>& ray, T exit_growth) noexcept {
+[[nodiscard]] GLINT_ALWAYS_INLINE SlabRay<T> prepare_slabs(const Ray<T>& ray, T exit_growth) noexcept {
   const Vec3<T>& d = ray.direction;
   const bool has_line = is_finite(ray.origin) && is_finite(d) && max_component(abs(d)) > T(0);
   if (!has_line) return {{infinity<T>, -infinity<T>, T(0)}, Vec3<T>(T(1)), Vec3<T>(T(1)), {false, false, false}};

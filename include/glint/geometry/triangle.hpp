@@ -58,7 +58,7 @@ struct ScaledNormal {
   Vec3<T> cross{T(0)};  ///< zero for a triangle without area
   [[nodiscard]] T length() const noexcept { return glm::length(cross); }
 
-  explicit ScaledNormal(const Triangle<T>& t) noexcept
+  GLINT_ALWAYS_INLINE explicit ScaledNormal(const Triangle<T>& t) noexcept
       : e1(t.v1 - t.v0), e2(t.v2 - t.v0), scale(max_component(glm::max(abs(e1), abs(e2)))) {
     if (!(scale > T(0))) return;
     const T inverse = T(1) / scale;

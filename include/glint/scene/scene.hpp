@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -54,7 +55,11 @@ class Scene {
     const auto hit = geometry_.closest(in_scene);
     if (!hit) return result;
     Interaction<Bsdf>& at = result.emplace();  // filled in place: copies of what was just written stall the processor
-    at.surface = surface_cast<float>(geometry_.surface(in_scene, *hit));
+    if constexpr (std::is_same_v<Scalar, float>) {
+      at.surface = geometry_.surface(in_scene, *hit);
+    } else {
+      at.surface = surface_cast<float>(geometry_.surface(in_scene, *hit));
+    }
     at.frame = Frame<float>::from_normal_and_tangent(at.surface.shading_normal, at.surface.tangent);
     at.wo = -normalized(ray.direction);
     at.bsdf = bsdf_at(materials_, at.surface, hit->primitive);

@@ -34,7 +34,7 @@ class RayQuery {
 
   /// `reach` is the size of the largest primitive, or more: the t of a hit is rounded in proportion to it, and not to t
   /// alone.
-  explicit RayQuery(const Ray<T>& ray, T reach = 0) noexcept {
+  GLINT_ALWAYS_INLINE explicit RayQuery(const Ray<T>& ray, T reach = 0) noexcept {
     const SlabRay<T> slabs = ConservativeSlab::prepare(ray);
     const Vec3<T> scale = abs(slabs.entry_scale);
     slack_ = rounding_bound<T>(16) * reach * std::min(std::min(scale.x, scale.y), scale.z);
