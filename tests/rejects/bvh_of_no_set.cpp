@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Says: (BoundedSet|PrimitiveSet)
+// Says: (BoundedSet|PrimitiveSet|constraints not satisfied for class template 'Bvh')
 // A tree stands over a set of primitives. A bare vector of them is not one: `Elements` makes it one.
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Says: Primitive
-// A shape that forgot its `intersect` is named as no Primitive, at the line that uses it.
+// Says: (Primitive|constraints not satisfied for class template 'Elements')
+// A shape that forgot its `intersect` is refused at the line that uses it; GCC names the concept, Clang the class.
 #include <vector>
 
 #include <glint/geometry/aabb.hpp>

@@ -129,10 +129,15 @@ class Film {
       if constexpr (SeparableFilter<G>) {
         splat_separable(filter.profile(), columns, rows, at, value);
       } else {
-        for (int y = rows.first; y <= rows.last; ++y) {
-          for (int x = columns.first; x <= columns.last; ++x) {
-            sums(x, y).add(filter.evaluate({from_center(at.x, x), from_center(at.y, y)}), value);
-          }
+        splat_pixelwise(filter, columns, rows, at, value);
+      }
+    }
+
+    template <typename G>
+    void splat_pixelwise(const G& filter, Range columns, Range rows, const Vec2<float>& at, const Rgb& value) noexcept {
+      for (int y = rows.first; y <= rows.last; ++y) {
+        for (int x = columns.first; x <= columns.last; ++x) {
+          sums(x, y).add(filter.evaluate({from_center(at.x, x), from_center(at.y, y)}), value);
         }
       }
     }

@@ -31,9 +31,10 @@ struct RenderTask {
   const RenderOptions& options;
   Vec2i film_size;
 
-  /// Adds all samples of one pixel.
+  /// Adds all samples of one pixel; false, and nothing added, once the rendering is to stop.
   template <typename Block>
-  void render_pixel(Block& block, Vec2i pixel, RenderReport& report) const {
+  [[nodiscard]] bool render_pixel(Block& block, Vec2i pixel, RenderReport& report) const {
+    if (options.stop.stop_requested()) return false;
     const Counted counted{scene, report.rays};
     const Vec2<float> scale = Vec2<float>(1) / Vec2<float>(film_size);
     for (int sample = 0; sample < options.samples; ++sample) {
@@ -46,20 +47,15 @@ struct RenderTask {
       report.dropped += block.add(at, value) ? 0U : 1U;
     }
     report.samples += static_cast<std::uint64_t>(options.samples);
+    return true;
   }
 
   /// Renders a film block pixel by pixel, until stopped.
   template <typename Block>
   void render_block(Block block, RenderReport& report) const {
     const auto [begin, end] = block.pixels();
-    for (int y = begin.y; y < end.y; ++y) {
-      for (int x = begin.x; x < end.x; ++x) {
-        if (options.stop.stop_requested()) {
-          report.complete = false;
-          return;
-        }
-        render_pixel(block, {x, y}, report);
-      }
+    for (int y = begin.y; y < end.y && report.complete; ++y) {
+      for (int x = begin.x; x < end.x && report.complete; ++x) report.complete = render_pixel(block, {x, y}, report);
     }
   }
 };
@@ -140,11 +136,12 @@ RenderReport render(const S& scene, const C& camera, const I& integrator, Film<F
   std::vector<RenderReport> reports(tiles.count());
   detail::ProgressTeller teller(options, static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) *
                                              static_cast<std::uint64_t>(options.samples));
+  const auto render_tile = [&](std::size_t tile) {
+    tiles.for_each_block(tile, [&](std::size_t block) { task.render_block(film.block(block), reports[tile]); });
+    if (reports[tile].complete) teller.advance(reports[tile].samples);
+  };
   executor.parallel_for(reports.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t tile = first; tile < last; ++tile) {
-      tiles.for_each_block(tile, [&](std::size_t block) { task.render_block(film.block(block), reports[tile]); });
-      if (reports[tile].complete) teller.advance(reports[tile].samples);
-    }
+    for (std::size_t tile = first; tile < last; ++tile) render_tile(tile);
   });
 
   RenderReport total;
