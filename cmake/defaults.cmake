@@ -20,8 +20,7 @@ add_library(glint_build_options INTERFACE)
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(glint_build_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
   if(GLINT_NATIVE)
-    # Nobody asks errno for the root of a negative number, and each root is a branch less.
-    target_compile_options(glint_build_options INTERFACE -march=native -fno-math-errno)
+    target_compile_options(glint_build_options INTERFACE -march=native)
   endif()
   if(GLINT_SANITIZE)
     target_compile_options(glint_build_options INTERFACE -fsanitize=${GLINT_SANITIZE} -fno-sanitize-recover=all

@@ -142,9 +142,9 @@ TEST_CASE("fresnel: a conductor's colors are computed one by one", "[bsdf][fresn
   const Rgb eta{0.2F, 0.9F, 1.1F};
   const Rgb k{3.9F, 2.5F, 2.1F};
   const Rgb share = glint::fresnel_conductor(0.6F, eta, k);
-  CHECK(share.r == glint::fresnel_conductor(0.6F, eta.r, k.r));
-  CHECK(share.g == glint::fresnel_conductor(0.6F, eta.g, k.g));
-  CHECK(share.b == glint::fresnel_conductor(0.6F, eta.b, k.b));
+  CHECK(share.r == Approx(glint::fresnel_conductor(0.6F, eta.r, k.r)).epsilon(1e-6));
+  CHECK(share.g == Approx(glint::fresnel_conductor(0.6F, eta.g, k.g)).epsilon(1e-6));
+  CHECK(share.b == Approx(glint::fresnel_conductor(0.6F, eta.b, k.b)).epsilon(1e-6));
 }
 
 TEST_CASE("fresnel: Schlick's approximation goes from the share at normal incidence to one", "[bsdf][fresnel]") {
