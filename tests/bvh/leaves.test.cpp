@@ -25,13 +25,13 @@ TEST_CASE("leaves: hits carry the caller's index, not the slot", "[bvh][leaves]"
   const glint::Elements set{shapes};
   glint::Tree<float> tree;
   tree.order = {2, 1, 0};
-  const auto leaves = make_leaves(set, tree);
+  const auto leaves = make_leaves(set, tree, glint::CopiedBlocks<4>{}, glint::Serial{});
   static_assert(glint::LeavesOf<decltype(leaves), decltype(set)>);
-  glint::Ray<float> ray;
+  const glint::Ray<float> ray;
   glint::Hit<float> best{.t = ray.t_max};
   CHECK(leaves.closest(set, ray, leaves.prepare(set, ray), {2, 1}, best));
   CHECK(best.primitive == 0);
-  CHECK(ray.t_max == 8);
+  CHECK(best.t == 8);
   CHECK(leaves.closest(set, ray, leaves.prepare(set, ray), {0, 3}, best));
   CHECK(best.primitive == 1);
   CHECK_FALSE(leaves.closest(set, ray, leaves.prepare(set, ray), {0, 3}, best));

@@ -28,8 +28,8 @@ namespace glint {
 /// A set of primitives that rays find quickly: the set, a tree over it in some layout, and its leaves. Models
 /// RayCaster.
 ///
-///     const glint::Bvh bvh{mesh};                                       // a good tree, one thread
-///     const glint::Bvh bvh{mesh, SweepSah{}, TbbExecutor{}, wide<4>};   // every choice made
+///     const glint::Bvh bvh{mesh};                                                         // a good tree, one thread
+///     const glint::Bvh bvh{mesh, SweepSah{}, TbbExecutor{}, wide<4, IndexedBlocks<4>>};   // every choice made
 ///
 /// Ensures: of hits at the same t, the one of the smallest index. Primitives without a finite, non-empty box are never
 ///          hit; statistics().left_out counts them.
@@ -39,7 +39,8 @@ class Bvh {
  public:
   using Scalar = typename S::Scalar;
   using Index = typename S::Index;
-  using Leaves = decltype(make_leaves(std::declval<const S&>(), std::declval<Tree<Scalar, Index>&>()));
+  using Leaves = decltype(make_leaves(std::declval<const S&>(), std::declval<Tree<Scalar, Index>&>(),
+                                      typename LayoutName::Leaves{}, Serial{}));
   using Nodes = typename LayoutName::template Nodes<Scalar, Index>;
 
   /// Leaves suited to what tests them.
@@ -48,18 +49,19 @@ class Bvh {
   /// The set is kept by value: where it is a view, what it views must outlive the Bvh, unchanged.
   template <BuilderFor<S> Builder = BinnedSah, Executor E = Serial>
   explicit Bvh(S set, const Builder& builder = default_builder, const E& executor = {}, LayoutName layout = {})
-      : Bvh(set, builder.build(set, executor), layout) {}
+      : Bvh(set, builder.build(set, executor), layout, executor) {}
 
   template <BuilderFor<S> Builder>
   Bvh(S set, const Builder& builder, LayoutName layout) : Bvh(set, builder.build(set, Serial{}), layout) {}
 
   /// Over a tree made before. Requires: a valid tree over this set.
-  Bvh(S set, Tree<Scalar, Index> tree, LayoutName /*layout*/ = {})
+  template <Executor E = Serial>
+  Bvh(S set, Tree<Scalar, Index> tree, LayoutName /*layout*/ = {}, const E& executor = {})
       : set_(std::move(set)),
         statistics_(glint::statistics(tree)),
         bounds_(tree.nodes.empty() ? Aabb<Scalar>{} : tree.nodes.front().bounds),
         reach_(max_component(extent(bounds_))),
-        leaves_(make_leaves(set_, tree)),
+        leaves_(make_leaves(set_, tree, typename LayoutName::Leaves{}, executor)),
         nodes_(tree) {}
 
   [[nodiscard]] const S& set() const noexcept { return set_; }
@@ -72,10 +74,9 @@ class Bvh {
   [[nodiscard]] std::optional<Hit<Scalar, Index>> closest(const Ray<Scalar>& ray) const {
     RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray, reach_);
     const auto prepared = leaves_.prepare(set_, ray);
-    Ray<Scalar> shortened = ray;
     Hit<Scalar, Index> best{.t = ray.t_max};
     traverse(nodes_, query, [&](Slots<Index> slots) {
-      if (leaves_.closest(set_, shortened, prepared, slots, best)) query.shrink(best.t);
+      if (leaves_.closest(set_, ray, prepared, slots, best)) query.shrink(best.t);
       return Walk::Continue;
     });
     if (best.primitive == none<Index>) return std::nullopt;

@@ -64,10 +64,12 @@ concept Layout = requires(const L& layout, typename L::Index node) {
   { layout.links(node) } -> std::convertible_to<const std::array<Link<typename L::Index>, std::size_t(L::width)>&>;
 };
 
-/// The choice of a layout, handed to a Bvh: `binary`, `wide<8>`. It names the layout for any scalar and index.
+/// The choice of a layout, handed to a Bvh: `binary`, `wide<8>`. It names the layout for any scalar and index, and how
+/// the primitives in the leaves are kept (leaves.hpp).
 template <typename C>
 concept LayoutChoice = requires {
   typename C::template Nodes<float, std::uint32_t>;
+  typename C::Leaves;
 };
 
 /// Which children a query wants to see, one bit each, and the key by which it wants to see the smallest first.

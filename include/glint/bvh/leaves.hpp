@@ -8,6 +8,7 @@
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
+#include <glint/core/executor.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
@@ -21,23 +22,34 @@ template <std::floating_point T, std::unsigned_integral I>
   return a.t < b.t || (a.t == b.t && a.primitive < b.primitive);
 }
 
+/// A choice of leaves: blocks of N primitives that are tested at once, from copies of what the test needs. The fastest.
+template <int N>
+struct CopiedBlocks {};
+/// A choice of leaves: blocks of N primitives that are tested at once, and look up the user's own data by index. Small.
+template <int N>
+struct IndexedBlocks {};
+
 /// What a set without `prepare` computes once a ray.
 struct Unprepared {};
 
-/// How a Bvh keeps what its leaves hold. A set that is tested faster from a copy of its data overloads
+/// How a Bvh keeps what its leaves hold. A set that is tested faster in a way of its own overloads
 ///
-///     L make_leaves(const S& set, Tree<T, I>& tree)      // found by argument-dependent lookup
+///     L make_leaves(const S& set, Tree<T, I>& tree, choice, executor)      // found by argument-dependent lookup
 ///
-/// and may renumber the slots of the tree's leaves, to suit blocks say; hits still carry the caller's indices.
+/// for the choices it knows, as a layout names them: CopiedBlocks<4>, IndexedBlocks<4>, a type of the user's. A set
+/// that knows none is asked for one primitive after another. Leaves may renumber the slots of the tree, to suit blocks
+/// say; hits still carry the caller's indices.
 ///
-///     auto prepare(const S&, const Ray<T>&)                                 // once a ray
-///     bool closest(const S&, Ray<T>&, prepared, Slots<I>, Hit<T, I>& best)  // better than `best`: shortens the ray
+///     auto prepare(const S&, const Ray<T>&)                                       // once a ray
+///     bool closest(const S&, const Ray<T>&, prepared, Slots<I>, Hit<T, I>& best)  // whether it improved `best`
 ///     bool occluded(const S&, const Ray<T>&, prepared, Slots<I>)
 ///     std::size_t bytes()
 ///     std::size_t block_size      // primitives tested at the price of one, which is what builders want to know
+///
+/// For `closest` the ray ends at best.t, which begins as the ray's t_max, with no primitive.
 template <typename L, typename S>
-concept LeavesOf = requires(const L& leaves, const S& set, Ray<typename S::Scalar>& ray, Slots<typename S::Index> slots,
-                            Hit<typename S::Scalar, typename S::Index>& best) {
+concept LeavesOf = requires(const L& leaves, const S& set, const Ray<typename S::Scalar>& ray,
+                            Slots<typename S::Index> slots, Hit<typename S::Scalar, typename S::Index>& best) {
   { leaves.closest(set, ray, leaves.prepare(set, ray), slots, best) } -> std::same_as<bool>;
   { leaves.occluded(set, ray, leaves.prepare(set, ray), slots) } -> std::same_as<bool>;
   { L::block_size } -> std::convertible_to<std::size_t>;
@@ -61,14 +73,16 @@ class IndexedLeaves {
       return Unprepared{};
   }
   template <typename Prepared>
-  GLINT_ALWAYS_INLINE bool closest(const S& set, Ray<Scalar>& ray, const Prepared& prepared, Slots<Index> slots,
+  GLINT_ALWAYS_INLINE bool closest(const S& set, const Ray<Scalar>& ray, const Prepared& prepared, Slots<Index> slots,
                                    Hit<Scalar, Index>& best) const {
     bool improved = false;
+    Ray<Scalar> shortened = ray;
+    shortened.t_max = best.t;
     for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot) {
-      const auto hit = intersect(set, ray, prepared, order_[slot]);
+      const auto hit = intersect(set, shortened, prepared, order_[slot]);
       if (!hit || !is_closer(*hit, best)) continue;
       best = *hit;
-      ray.t_max = hit->t;
+      shortened.t_max = hit->t;
       improved = true;
     }
     return improved;
@@ -95,8 +109,9 @@ class IndexedLeaves {
   std::vector<Index> order_;
 };
 
-template <PrimitiveSet S>
-[[nodiscard]] IndexedLeaves<S> make_leaves(const S& /*set*/, Tree<typename S::Scalar, typename S::Index>& tree) {
+template <PrimitiveSet S, typename Choice, Executor E>
+[[nodiscard]] IndexedLeaves<S> make_leaves(const S& /*set*/, Tree<typename S::Scalar, typename S::Index>& tree,
+                                           Choice /*choice*/, const E& /*executor*/) {
   return IndexedLeaves<S>(std::move(tree.order));
 }
 

@@ -25,7 +25,7 @@ TEST_CASE("joined leaves: a leaf of several kinds finds the closest of all, unde
   const Joined set{Elements{far}, view(buffers), Elements{near}};
   auto tree = glint::Median{.max_leaf_size = 16}.build(set);
   REQUIRE(tree.nodes.size() == 1);
-  const auto leaves = make_leaves(set, tree);
+  const auto leaves = make_leaves(set, tree, glint::CopiedBlocks<4>{}, glint::Serial{});
   static_assert(glint::LeavesOf<decltype(leaves), decltype(set)>);
   CHECK(tree.nodes[0].count == 1);  // one slot: the leaf
 
@@ -53,9 +53,9 @@ TEST_CASE("joined leaves: of equal hits in different sets, the one of the smalle
   const std::vector<Sphere<float>> two{{{0, 0, 0}, 1}};
   const Joined set{Elements{one}, Elements{two}};
   auto tree = glint::Median{.max_leaf_size = 1}.build(set);
-  const auto leaves = make_leaves(set, tree);
+  const auto leaves = make_leaves(set, tree, glint::CopiedBlocks<4>{}, glint::Serial{});
   for (const bool forward : {true, false}) {
-    glint::Ray<float> ray{.origin = {0, 0, 3}};
+    const glint::Ray<float> ray{.origin = {0, 0, 3}};
     glint::Hit<float> best{.t = ray.t_max};
     for (const unsigned slot : {forward ? 0U : 1U, forward ? 1U : 0U})
       leaves.closest(set, ray, leaves.prepare(set, ray), {slot, 1}, best);

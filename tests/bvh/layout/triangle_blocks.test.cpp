@@ -30,12 +30,11 @@ void check_blocks(const glint::MeshBuffers<T>& buffers, std::uint64_t seed) {
     rays.insert(rays.end(), more.begin(), more.end());
   for (const auto& ray : rays) {
     const auto prepared = blocks.prepare(mesh, ray);
-    glint::Ray<T> shortened = ray;
     glint::Hit<T> best{.t = ray.t_max};
     bool any = false;
     for (const auto& node : tree.nodes) {
       if (!node.is_leaf()) continue;
-      blocks.closest(mesh, shortened, prepared, {node.first, node.count}, best);
+      blocks.closest(mesh, ray, prepared, {node.first, node.count}, best);
       any = any || blocks.occluded(mesh, ray, prepared, {node.first, node.count});
     }
     const auto expected = oracle.closest(ray);
@@ -67,7 +66,7 @@ TEMPLATE_TEST_CASE("triangle blocks: rays through vertices and edges of a closed
   const auto buffers = glint::testing::scanned_blob<T>(200, 1);
   const auto mesh = view(buffers);
   auto tree = glint::Median{}.build(mesh);
-  const auto blocks = make_leaves(mesh, tree);
+  const auto blocks = make_leaves(mesh, tree, glint::CopiedBlocks<4>{}, glint::Serial{});
   int leaks = 0;
   glint::Random random(2);
   for (std::size_t i = 0; i < mesh.size(); ++i) {
@@ -92,7 +91,7 @@ TEST_CASE("triangle blocks: four triangles share a block, which holds 9 numbers 
   const auto mesh = view(buffers);
   auto tree = glint::Median{.max_leaf_size = 9}.build(mesh);
   REQUIRE(tree.nodes.size() == 1);
-  const auto blocks = make_leaves(mesh, tree);
+  const auto blocks = make_leaves(mesh, tree, glint::CopiedBlocks<4>{}, glint::Serial{});
   CHECK(tree.nodes[0].count == 3);
   CHECK(blocks.bytes() == 3 * 4 * (9 * sizeof(float) + sizeof(std::uint32_t)));
 }

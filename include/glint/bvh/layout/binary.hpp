@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glint/bvh/concepts.hpp>
+#include <glint/bvh/leaves.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/geometry/aabb.hpp>
@@ -54,12 +55,14 @@ class BinaryNodes {
   std::vector<BinaryNode<T, I>> nodes_;
 };
 
-/// Names the layout: `Bvh{mesh, BinnedSah{}, binary}`.
+/// Names the layout, and the leaves that go with it: `Bvh{mesh, BinnedSah{}, binary}`.
+template <typename LeafChoice = CopiedBlocks<4>>
 struct BinaryLayout {
+  using Leaves = LeafChoice;
   template <std::floating_point T, std::unsigned_integral I>
   using Nodes = BinaryNodes<T, I>;
 };
-inline constexpr BinaryLayout binary{};
+inline constexpr BinaryLayout<> binary{};
 
 static_assert(Layout<BinaryNodes<float, std::uint32_t>>);
 

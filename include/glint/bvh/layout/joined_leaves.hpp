@@ -14,6 +14,7 @@
 #include <glint/bvh/leaves.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
+#include <glint/core/executor.hpp>
 #include <glint/core/index.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
@@ -23,8 +24,8 @@
 namespace glint {
 
 /// Leaves over several sets, each of which keeps what it holds in its own way: triangles in blocks beside spheres one
-/// by one. A slot is a leaf, and holds a run of slots for each set.
-template <PrimitiveSet... Sets>
+/// by one, as far as they know the choice of leaves. A slot is a leaf, and holds a run of slots for each set.
+template <typename Choice, PrimitiveSet... Sets>
 class JoinedLeaves {
  public:
   using Set = Joined<Sets...>;
@@ -32,13 +33,15 @@ class JoinedLeaves {
   using Index = typename Set::Index;
 
   /// Renumbers the leaves of the tree: one slot each. Requires: a valid tree over the set.
-  JoinedLeaves(const Set& set, Tree<Scalar, Index>& tree) : JoinedLeaves(set, tree, Every{}) {}
+  template <Executor E>
+  JoinedLeaves(const Set& set, Tree<Scalar, Index>& tree, const E& executor)
+      : JoinedLeaves(set, tree, executor, Every{}) {}
 
   [[nodiscard]] GLINT_ALWAYS_INLINE auto prepare(const Set& set, const Ray<Scalar>& ray) const {
     return prepare(set, ray, Every{});
   }
   template <typename Prepared>
-  GLINT_ALWAYS_INLINE bool closest(const Set& set, Ray<Scalar>& ray, const Prepared& prepared, Slots<Index> slots,
+  GLINT_ALWAYS_INLINE bool closest(const Set& set, const Ray<Scalar>& ray, const Prepared& prepared, Slots<Index> slots,
                                    Hit<Scalar, Index>& best) const {
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
       return (std::size_t{0} | ... | std::size_t(closest_of<K>(set, ray, prepared, slots.first, best))) != 0;
@@ -65,18 +68,18 @@ class JoinedLeaves {
   template <typename S>
   using TreeOf = Tree<typename S::Scalar, typename S::Index>;
   template <typename S>
-  using LeavesOfSet = decltype(make_leaves(std::declval<const S&>(), std::declval<TreeOf<S>&>()));
+  using LeavesOfSet = decltype(make_leaves(std::declval<const S&>(), std::declval<TreeOf<S>&>(), Choice{}, Serial{}));
   using Runs = std::tuple<Slots<typename Sets::Index>...>;  // of one leaf
 
  public:
   static constexpr std::size_t block_size = std::max({LeavesOfSet<Sets>::block_size...});
 
  private:
-  template <std::size_t... K>
-  JoinedLeaves(const Set& set, Tree<Scalar, Index>& tree, std::index_sequence<K...>)
+  template <Executor E, std::size_t... K>
+  JoinedLeaves(const Set& set, Tree<Scalar, Index>& tree, const E& executor, std::index_sequence<K...>)
       : begins_(begins_of(std::array{set.template set<K>().size()...})),
         runs_(leaf_count(tree)),
-        leaves_(leaves_of<K>(set, tree)...) {
+        leaves_(leaves_of<K>(set, tree, executor)...) {
     Index slot = 0;
     for (BinaryNode<Scalar, Index>& node : tree.nodes) {
       if (!node.is_leaf()) continue;
@@ -98,8 +101,8 @@ class JoinedLeaves {
   }
 
   /// The leaves of the K-th set alone, made from a tree that has what the leaves of `tree` hold of it.
-  template <std::size_t K>
-  [[nodiscard]] LeavesOfSet<SetAt<K>> leaves_of(const Set& set, const Tree<Scalar, Index>& tree) {
+  template <std::size_t K, Executor E>
+  [[nodiscard]] LeavesOfSet<SetAt<K>> leaves_of(const Set& set, const Tree<Scalar, Index>& tree, const E& executor) {
     using Local = typename SetAt<K>::Index;
     const SetAt<K>& own = set.template set<K>();
     TreeOf<SetAt<K>> part;
@@ -113,7 +116,7 @@ class JoinedLeaves {
       leaf.count = Local(part.order.size() - leaf.first);
       part.nodes.push_back(leaf);
     }
-    auto leaves = make_leaves(own, part);
+    auto leaves = make_leaves(own, part, Choice{}, executor);
     for (std::size_t i = 0; i < runs_.size(); ++i) std::get<K>(runs_[i]) = {part.nodes[i].first, part.nodes[i].count};
     return leaves;
   }
@@ -127,7 +130,7 @@ class JoinedLeaves {
   /// Indices of one set follow those of the one before, so a hit elsewhere compares like an index that is the least, or
   /// greater than all.
   template <std::size_t K, typename Prepared>
-  [[nodiscard]] GLINT_ALWAYS_INLINE bool closest_of(const Set& set, Ray<Scalar>& ray, const Prepared& prepared,
+  [[nodiscard]] GLINT_ALWAYS_INLINE bool closest_of(const Set& set, const Ray<Scalar>& ray, const Prepared& prepared,
                                                     Index slot, Hit<Scalar, Index>& best) const {
     using Local = typename SetAt<K>::Index;
     const auto run = std::get<K>(runs_[slot]);
@@ -157,10 +160,11 @@ class JoinedLeaves {
   std::tuple<LeavesOfSet<Sets>...> leaves_;
 };
 
-template <PrimitiveSet... Sets>
-[[nodiscard]] JoinedLeaves<Sets...> make_leaves(
-    const Joined<Sets...>& set, Tree<typename Joined<Sets...>::Scalar, typename Joined<Sets...>::Index>& tree) {
-  return JoinedLeaves<Sets...>(set, tree);
+template <PrimitiveSet... Sets, typename Choice, Executor E>
+[[nodiscard]] JoinedLeaves<Choice, Sets...> make_leaves(
+    const Joined<Sets...>& set, Tree<typename Joined<Sets...>::Scalar, typename Joined<Sets...>::Index>& tree,
+    Choice /*choice*/, const E& executor) {
+  return JoinedLeaves<Choice, Sets...>(set, tree, executor);
 }
 
 }  // namespace glint

@@ -13,6 +13,7 @@
 #include <glint/bvh/leaves.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
+#include <glint/core/executor.hpp>
 #include <glint/core/index.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
@@ -71,7 +72,7 @@ class TriangleBlocks {
             all(ray.t_min)};
   }
 
-  GLINT_ALWAYS_INLINE bool closest(const Mesh& mesh, Ray<T>& ray, const Prepared& prepared, Slots<Index> slots,
+  GLINT_ALWAYS_INLINE bool closest(const Mesh& mesh, const Ray<T>& ray, const Prepared& prepared, Slots<Index> slots,
                                    Hit<T, Index>& best) const noexcept {
     const Index before = best.primitive;
     const T t_before = best.t;
@@ -79,14 +80,14 @@ class TriangleBlocks {
       const Block& block = blocks_[i];
       const Crossings c = cross(block, prepared);
       if (c.inside == 0) continue;
-      std::uint32_t mask = c.inside & ~c.tied & in_interval(c, prepared, ray.t_max);
+      std::uint32_t mask = c.inside & ~c.tied & in_interval(c, prepared, best.t);
       for (; mask != 0; mask &= mask - 1) {
         const int lane = std::countr_zero(mask);
-        consider(hit_at(block, c, lane), ray, best);
+        consider(hit_at(block, c, lane), best);
       }
       for (mask = c.inside & c.tied; mask != 0; mask &= mask - 1) {
         const auto hit = mesh.intersect(ray, prepared.shear, block.primitive[std::size_t(std::countr_zero(mask))]);
-        if (hit) consider(*hit, ray, best);
+        if (hit) consider(*hit, best);
       }
     }
     return best.primitive != before || best.t != t_before;
@@ -184,19 +185,18 @@ class TriangleBlocks {
     return {
         .t = c.t[lane], .uv = {c.v[lane] * scale, c.w[lane] * scale}, .primitive = block.primitive[std::size_t(lane)]};
   }
-  GLINT_ALWAYS_INLINE static void consider(const Hit<T, Index>& hit, Ray<T>& ray, Hit<T, Index>& best) noexcept {
-    if (!is_closer(hit, best)) return;
-    best = hit;
-    ray.t_max = hit.t;
+  GLINT_ALWAYS_INLINE static void consider(const Hit<T, Index>& hit, Hit<T, Index>& best) noexcept {
+    if (is_closer(hit, best)) best = hit;
   }
 
   std::vector<Block> blocks_;
 };
 
-template <std::floating_point T, std::unsigned_integral VertexIndex>
-[[nodiscard]] TriangleBlocks<T, VertexIndex> make_leaves(const TriangleMesh<T, VertexIndex, Watertight>& mesh,
-                                                         Tree<T, std::uint32_t>& tree) {
-  return TriangleBlocks<T, VertexIndex>(mesh, tree);
+template <std::floating_point T, std::unsigned_integral VertexIndex, int N, Executor E>
+[[nodiscard]] TriangleBlocks<T, VertexIndex, N> make_leaves(const TriangleMesh<T, VertexIndex, Watertight>& mesh,
+                                                            Tree<T, std::uint32_t>& tree, CopiedBlocks<N> /*choice*/,
+                                                            const E& /*executor*/) {
+  return TriangleBlocks<T, VertexIndex, N>(mesh, tree);
 }
 
 }  // namespace glint

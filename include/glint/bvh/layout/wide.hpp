@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <glint/bvh/concepts.hpp>
+#include <glint/bvh/leaves.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/geometry/aabb.hpp>
@@ -125,14 +126,15 @@ class WideNodes {
   bool is_empty_ = true;
 };
 
-/// Names the layout: `Bvh{mesh, BinnedSah{}, wide<8>}`.
-template <int N>
+/// Names the layout, and the leaves that go with it: `Bvh{mesh, BinnedSah{}, wide<8, IndexedBlocks<4>>}`.
+template <int N, typename LeafChoice = CopiedBlocks<4>>
 struct WideLayout {
+  using Leaves = LeafChoice;
   template <std::floating_point T, std::unsigned_integral I>
   using Nodes = WideNodes<T, I, N>;
 };
-template <int N>
-inline constexpr WideLayout<N> wide{};
+template <int N, typename LeafChoice = CopiedBlocks<4>>
+inline constexpr WideLayout<N, LeafChoice> wide{};
 
 static_assert(Layout<WideNodes<float, std::uint32_t, 8>>);
 
