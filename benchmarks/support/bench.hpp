@@ -5,7 +5,6 @@
 #include <exception>
 #include <functional>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,12 +12,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <glint/geometry/mesh_buffers.hpp>
 #include <glint/testing/random_scenes.hpp>
 
-#if __has_include(<tiny_obj_loader.h>) && __has_include(<nlohmann/json.hpp>)
-#include <glint/io/mesh_obj.hpp>
-#endif
+#include <support/named_mesh.hpp>
 
 /// What the benchmarks have in common: options, meshes, and failing when an answer is wrong.
 namespace glint::bench {
@@ -27,11 +23,6 @@ struct Options {
   bool quick = false;                     ///< --quick: small meshes, each benchmark once
   std::size_t max_triangles = 1'000'000;  ///< --max-triangles N: of generated meshes; 10000000 for the largest
   std::vector<std::string> mesh_files;    ///< --mesh FILE, any number of times
-};
-
-struct NamedMesh {
-  std::string name;
-  MeshBuffers<float> buffers;
 };
 
 /// Takes our own options out of the command line; the others are Google Benchmark's.
@@ -53,14 +44,6 @@ struct NamedMesh {
   arguments = std::move(others);
   if (options.quick) options.max_triangles = 10'000;
   return options;
-}
-
-[[nodiscard]] inline MeshBuffers<float> load_mesh(const std::string& file) {
-#if __has_include(<tiny_obj_loader.h>) && __has_include(<nlohmann/json.hpp>)
-  return read_obj(file).buffers;
-#else
-  throw std::runtime_error(file + ": built without tinyobjloader");
-#endif
 }
 
 /// Generated meshes of 10³ triangles and up, and those given as files.
