@@ -25,6 +25,10 @@
 #include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>
 #include <glint/bvh/leaves.hpp>
+#include <glint/bvh/pass/depth_first.hpp>
+#include <glint/bvh/pass/merge_leaves.hpp>
+#include <glint/bvh/pass/refit.hpp>
+#include <glint/bvh/pass/reinsert.hpp>
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/pass/validate.hpp>
 #include <glint/bvh/query/ray.hpp>
