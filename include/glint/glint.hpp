@@ -67,6 +67,7 @@
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_box.hpp>
 #include <glint/geometry/ray_triangle.hpp>
+#include <glint/geometry/ray_triangle_pack.hpp>
 #include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
 #include <glint/geometry/surface.hpp>

@@ -27,6 +27,7 @@ TEST_CASE("strided: reads a member of each element of an array", "[core][strided
   CHECK(positions.stride() == sizeof(Vertex));
   CHECK(positions[0] == std::array<float, 3>{1, 2, 3});
   CHECK(positions[1] == std::array<float, 3>{6, 7, 8});
+  CHECK(positions.at(1) == reinterpret_cast<const std::byte*>(&vertices[1].position));
   CHECK(glint::strided_member(std::span<const Vertex>(), &Vertex::uv).empty());
 }
 

@@ -45,18 +45,34 @@ void check_pack() {
     const P most = max(p, q);
     std::array<T, std::size_t(N)> sum{};
     (p + q).store(sum.data());
+    const P generated = P::generate([&](int i) { return a[std::size_t(i)]; });
     bool good = true;
     for (int i = 0; i < N; ++i) {
+      good = good && same(generated[i], p[i]) && same(P::broadcast(a[0])[i], a[0]);
       const T x = a[std::size_t(i)];
       const T y = b[std::size_t(i)];
       good = good && same(p[i], x) && same(sum[std::size_t(i)], x + y) && same((p - q)[i], x - y) &&
              same((p * q)[i], x * y) && same((p / q)[i], x / y) && same(fenced(p)[i], x);
       good = good && same(least[i], x < y ? x : y) && same(most[i], x > y ? x : y);
+      good = good && same(select(0x5A5A5A5AU, p, q)[i], (0x5A5A5A5AU >> i & 1U) != 0 ? x : y);
       good = good && ((less_equal(p, q) >> i) & 1U) == std::uint32_t(x <= y) &&
              ((less(p, q) >> i) & 1U) == std::uint32_t(x < y);
     }
     CHECK(good);
     CHECK((std::uint64_t{less_equal(p, q)} >> N) == 0);
+  }
+  // (1 + ε)(1 − ε) = 1 − ε² is rounded to 1; fused with the difference, −ε² would be left.
+  const T epsilon = std::numeric_limits<T>::epsilon();
+  const P product = fenced(P::broadcast(1 + epsilon) * P::broadcast(1 - epsilon)) - P::broadcast(1);
+  for (int i = 0; i < N; ++i) CHECK(product[i] == 0);
+  for (int i = 0; i < N; ++i) {
+    P one = P::broadcast(T(2));
+    one.set(i, T(-3));
+    CHECK(lowest(one) == T(-3));
+    CHECK(highest(one) == (N == 1 ? T(-3) : T(2)));
+    one.set(i, T(5));
+    CHECK(lowest(one) == (N == 1 ? T(5) : T(2)));
+    CHECK(highest(one) == T(5));
   }
   P whole = P::broadcast(T(-2.75));
   CHECK(truncated(whole)[std::size_t(N - 1)] == -2);

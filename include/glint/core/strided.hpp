@@ -36,10 +36,14 @@ class Strided {
 
   /// Requires: i < size().
   [[nodiscard]] V operator[](std::size_t i) const noexcept {
-    GLINT_ASSERT(i < size_);
     V value;
-    std::memcpy(&value, first_ + i * stride_, sizeof(V));
+    std::memcpy(&value, at(i), sizeof(V));
     return value;
+  }
+  /// Where that value is. Requires: i < size().
+  [[nodiscard]] const std::byte* at(std::size_t i) const noexcept {
+    GLINT_ASSERT(i < size_);
+    return first_ + i * stride_;
   }
 
  private:

@@ -5,8 +5,6 @@
 #include <concepts>
 #include <optional>
 
-#include <glm/geometric.hpp>
-
 #include <glint/core/config.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
@@ -28,7 +26,8 @@ template <std::floating_point T>
 }
 
 /// The triangle test without a preparation of ray or triangle. Rays through an edge may slip between two triangles
-/// that share it.
+/// that share it. The signed volumes are written with the triangle's normal, and every product is rounded by itself, so
+/// that tests of several triangles at once can do the same to the last bit.
 ///
 /// Ensures: two-sided; t_min ≤ t ≤ t_max; no tolerance of any kind, so triangles of any size are hit.
 /// Errors:  a NaN, a zero direction, and a triangle without area report no hit.
@@ -44,26 +43,37 @@ struct MoellerTrumbore {
   template <std::floating_point T>
   [[nodiscard]] static std::optional<Hit<T>> intersect(const Ray<T>& ray, Prepared /*prepared*/, const Vec3<T>& v0,
                                                        const Vec3<T>& v1, const Vec3<T>& v2) noexcept {
-    const Vec3<T> e1 = v1 - v0;
+    const Vec3<T> back = v0 - v1;
     const Vec3<T> e2 = v2 - v0;
-    const Vec3<T> p = glm::cross(ray.direction, e2);
-    const T det = glm::dot(e1, p);
-    const T size = std::abs(det);
-    const T sign = std::copysign(T(1), det);
-    const Vec3<T> s = ray.origin - v0;
-    const Vec3<T> q = glm::cross(s, e1);
-    const T u = glm::dot(s, p) * sign;
-    const T v = glm::dot(ray.direction, q) * sign;
-    // One branch that is seldom taken instead of three that are hard to foresee; a NaN stays in the first place.
-    const T least_weight = std::min(std::min(size - (u + v), u), v);
-    if (!(least_weight >= T(0) && size > T(0))) return std::nullopt;
-    const T t = glm::dot(e2, q) / det;
-    if (!(t >= ray.t_min && t <= ray.t_max) || is_degenerate(v0, v1, v2)) return std::nullopt;
-    const T scale = T(1) / size;
-    return Hit<T>{.t = t, .uv = {u * scale, v * scale}};
+    const Vec3<T> n = rounded_cross(e2, back);
+    const Vec3<T> c = v0 - ray.origin;
+    const Vec3<T> r = rounded_cross(c, ray.direction);
+    const T det = rounded_dot(n, ray.direction);
+    const T w1 = rounded_dot(r, e2);
+    const T w2 = rounded_dot(r, back);
+    const T w0 = det - (w1 + w2);
+    // Two branches that are seldom taken instead of three that are hard to foresee; a NaN compares false.
+    const bool left = (w0 >= T(0)) & (w1 >= T(0)) & (w2 >= T(0));
+    const bool right = (w0 <= T(0)) & (w1 <= T(0)) & (w2 <= T(0));
+    if (!(left | right)) return std::nullopt;
+    const T t = rounded_dot(n, c) / det;
+    if (!(t >= ray.t_min && t <= ray.t_max) || det == T(0) || is_degenerate(v0, v1, v2)) return std::nullopt;
+    const T scale = T(1) / det;
+    return Hit<T>{.t = t, .uv = {w1 * scale, w2 * scale}};
   }
 
   [[nodiscard]] friend constexpr bool operator==(const MoellerTrumbore&, const MoellerTrumbore&) noexcept = default;
+
+ private:
+  template <std::floating_point T>
+  [[nodiscard]] GLINT_ALWAYS_INLINE static T rounded_dot(const Vec3<T>& a, const Vec3<T>& b) noexcept {
+    return fenced(a.x * b.x) + fenced(a.y * b.y) + fenced(a.z * b.z);
+  }
+  template <std::floating_point T>
+  [[nodiscard]] GLINT_ALWAYS_INLINE static Vec3<T> rounded_cross(const Vec3<T>& a, const Vec3<T>& b) noexcept {
+    return {fenced(a.y * b.z) - fenced(a.z * b.y), fenced(a.z * b.x) - fenced(a.x * b.z),
+            fenced(a.x * b.y) - fenced(a.y * b.x)};
+  }
 };
 
 /// The triangle test that no ray slips through: one that passes through an edge or a vertex of a closed mesh hits at

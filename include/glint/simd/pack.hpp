@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
+#include <utility>
 
 #include <glint/core/config.hpp>
 
@@ -87,14 +89,68 @@ GLINT_ALWAYS_INLINE void truncate_word(const Word& word, std::int32_t* to) noexc
   if constexpr (W == 1) *to = std::int32_t(word);
 }
 
+/// W whole numbers of a byte each. By way of 32 bits, for which there are instructions.
+template <typename T, int W>
+[[nodiscard]] GLINT_ALWAYS_INLINE typename WordOf<T, W>::type word_of_bytes(const std::uint8_t* from) noexcept {
+#if defined(__GNUC__)
+  if constexpr (W > 1) {
+    typename WordOf<std::uint8_t, W>::type bytes;
+    std::memcpy(&bytes, from, sizeof(bytes));
+    const auto whole = __builtin_convertvector(bytes, typename WordOf<std::int32_t, W>::type);
+    return __builtin_convertvector(whole, typename WordOf<T, W>::type);
+  }
+#endif
+  if constexpr (W == 1) return T(*from);
+}
+
 /// The word as it stands: keeps the compiler from fusing the product that made it with what comes next.
 template <typename Word>
 [[nodiscard]] GLINT_ALWAYS_INLINE Word fenced_word(const Word& word) noexcept {
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
-  return __builtin_assoc_barrier(word);
+#if defined(__SSE2__)
+  if constexpr (std::is_floating_point_v<Word> && sizeof(Word) <= 8) {  // whose barrier is lost where GCC makes vectors
+    Word opaque = word;
+    __asm__("" : "+x"(opaque));
+    return opaque;
+  } else
+#endif
+      if constexpr (sizeof(Word) > 16) {  // which GCC takes apart, lane by lane, unless they are doubles
+    using Doubles = typename WordOf<double, int(sizeof(Word) / sizeof(double))>::type;
+    return std::bit_cast<Word>(__builtin_assoc_barrier(std::bit_cast<Doubles>(word)));
+  } else {
+    return __builtin_assoc_barrier(word);
+  }
 #else
   return word;  // Clang fuses within an expression only, and this is the end of one
 #endif
+}
+
+/// The lanes of `a` whose bits are set, else those of `b`.
+template <typename T, int W, typename Word>
+[[nodiscard]] GLINT_ALWAYS_INLINE Word select_word(std::uint32_t bits, const Word& a, const Word& b) noexcept {
+#if defined(__GNUC__)
+  if constexpr (W > 1) {
+    using Bits = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
+    using BitsWord = typename WordOf<Bits, W>::type;
+    const auto each = []<int... J>(std::integer_sequence<int, J...>) {
+      return BitsWord{(Bits{1} << J)...};
+    }
+    (std::make_integer_sequence<int, W>{});
+    return (((BitsWord{} + Bits(bits)) & each) != 0) ? a : b;
+  }
+#endif
+  if constexpr (W == 1) return (bits & 1U) != 0 ? a : b;
+}
+
+/// All lanes of a word as one, by halves.
+template <typename T, int W, typename Word, typename Fold>
+[[nodiscard]] GLINT_ALWAYS_INLINE T folded_word(const Word& word, const Fold& fold) noexcept {
+  if constexpr (W == 1) {
+    return word;
+  } else {
+    const auto half = std::bit_cast<std::array<typename WordOf<T, W / 2>::type, 2>>(word);
+    return folded_word<T, W / 2>(fold(half[0], half[1]), fold);
+  }
 }
 
 }  // namespace detail
@@ -116,19 +172,38 @@ struct Pack {
   static_assert(N % W == 0 && std::has_single_bit(unsigned(N)) && N <= 32);
   using Word = typename detail::WordOf<T, W>::type;
   static constexpr int size = N;
+  static constexpr int width = W;
   static constexpr std::size_t words = std::size_t(N / W);
 
   std::array<Word, words> word;
 
   [[nodiscard]] GLINT_ALWAYS_INLINE static Pack broadcast(T value) noexcept {
     Pack p;
-    for (Word& w : p.word) w = Word{} + value;
+    for (Word& w : p.word) w = value - Word{};  // which compilers know to be the value; + 0 would lose the sign of −0
+    return p;
+  }
+  /// Lane i is lane(i).
+  template <typename Lane>
+  [[nodiscard]] GLINT_ALWAYS_INLINE static Pack generate(const Lane& lane) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) {
+      p.word[i] = [&]<int... J>(std::integer_sequence<int, J...>) {
+        return Word{lane(int(i) * W + J)...};
+      }
+      (std::make_integer_sequence<int, W>{});
+    }
     return p;
   }
   /// N numbers from memory, aligned as T.
   [[nodiscard]] GLINT_ALWAYS_INLINE static Pack load(const T* from) noexcept {
     Pack p;
     std::memcpy(&p.word, from, sizeof(p.word));
+    return p;
+  }
+  /// N whole numbers from memory, a byte each.
+  [[nodiscard]] GLINT_ALWAYS_INLINE static Pack load(const std::uint8_t* from) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = detail::word_of_bytes<T, W>(from + i * std::size_t(W));
     return p;
   }
   GLINT_ALWAYS_INLINE void store(T* to) const noexcept { std::memcpy(to, &word, sizeof(word)); }
@@ -178,11 +253,37 @@ struct Pack {
     for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] > b.word[i] ? a.word[i] : b.word[i];
     return p;
   }
+  /// The lanes of `then` where a ≤ b, else those of `otherwise`; the latter where either is NaN.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend Pack where_less_equal(const Pack& a, const Pack& b, const Pack& then,
+                                                                 const Pack& otherwise) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i) p.word[i] = a.word[i] <= b.word[i] ? then.word[i] : otherwise.word[i];
+    return p;
+  }
   /// The same lanes, rounded as written.
   [[nodiscard]] GLINT_ALWAYS_INLINE friend Pack fenced(const Pack& a) noexcept {
     Pack p;
     for (std::size_t i = 0; i < words; ++i) p.word[i] = detail::fenced_word(a.word[i]);
     return p;
+  }
+  /// The lanes of `a` whose bits are set, else those of `b`.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend Pack select(std::uint32_t bits, const Pack& a, const Pack& b) noexcept {
+    Pack p;
+    for (std::size_t i = 0; i < words; ++i)
+      p.word[i] = detail::select_word<T, W>(bits >> (i * std::size_t(W)), a.word[i], b.word[i]);
+    return p;
+  }
+  /// The smallest lane. Requires: no NaN.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend T lowest(const Pack& a) noexcept {
+    Word least = a.word[0];
+    for (std::size_t i = 1; i < words; ++i) least = a.word[i] < least ? a.word[i] : least;
+    return detail::folded_word<T, W>(least, [](const auto& x, const auto& y) { return x < y ? x : y; });
+  }
+  /// The largest lane. Requires: no NaN.
+  [[nodiscard]] GLINT_ALWAYS_INLINE friend T highest(const Pack& a) noexcept {
+    Word most = a.word[0];
+    for (std::size_t i = 1; i < words; ++i) most = most < a.word[i] ? a.word[i] : most;
+    return detail::folded_word<T, W>(most, [](const auto& x, const auto& y) { return x < y ? y : x; });
   }
   /// Each lane rounded toward zero. Requires: all lanes representable.
   [[nodiscard]] GLINT_ALWAYS_INLINE friend std::array<std::int32_t, std::size_t(N)> truncated(const Pack& a) noexcept {

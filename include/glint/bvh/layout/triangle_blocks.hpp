@@ -6,7 +6,10 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include <glint/bvh/concepts.hpp>
@@ -15,93 +18,177 @@
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/core/index.hpp>
+#include <glint/core/uninitialized.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_triangle.hpp>
+#include <glint/geometry/ray_triangle_pack.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
 #include <glint/math/vec.hpp>
 #include <glint/simd/pack.hpp>
 
 namespace glint {
+namespace detail {
 
-/// The triangles of a mesh, copied in the order of the leaves into blocks of N that are tested at once, by the same
-/// arithmetic as Watertight, to the last bit. What a block cannot decide, a ray through an edge, it asks the mesh for.
-///
-/// Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
-template <std::floating_point T, std::unsigned_integral VertexIndex, int N = 4>
+/// N triangles, and what their test needs of them. A triangle without area stays out, as do lanes to spare: NaNs are
+/// never hit.
+template <std::floating_point T, std::unsigned_integral V, typename Intersector, int N>
+class alignas(8 * sizeof(T)) CopiedBlock {
+ public:
+  using Mesh = TriangleMesh<T, V, Intersector>;
+  using Index = typename Mesh::Index;
+  using Test = PackedTest<Intersector, T, N>;
+
+  CopiedBlock() = default;
+  /// Requires: 1 to N primitives.
+  CopiedBlock(const Mesh& mesh, std::span<const Index> primitives) noexcept {
+    std::array<std::array<std::array<T, std::size_t(N)>, 3>, 3> lanes;  // [vertex][axis][lane]
+    for (auto& vertex : lanes)
+      for (auto& axis : vertex) axis.fill(std::numeric_limits<T>::quiet_NaN());
+    primitive_.fill(none<Index>);
+    for (std::size_t lane = 0; lane < primitives.size(); ++lane) {
+      const std::array<Vec3<T>, 3> v = mesh.vertices(primitives[lane]);
+      if (is_degenerate(v[0], v[1], v[2])) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        lanes[i][0][lane] = v[i].x;
+        lanes[i][1][lane] = v[i].y;
+        lanes[i][2][lane] = v[i].z;
+      }
+      primitive_[lane] = primitives[lane];
+    }
+    triangles_ = Test::triangles(
+        [&](int i, int axis) { return Pack<T, N>::load(lanes[std::size_t(i)][std::size_t(axis)].data()); });
+  }
+
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& /*mesh*/, const typename Test::Prepared& ray,
+                                               T t_max) const noexcept {
+    return Test::cross(triangles_, ray, t_max);
+  }
+  [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
+
+ private:
+  typename Test::Triangles triangles_;
+  std::array<Index, std::size_t(N)> primitive_;
+};
+
+/// The indices of N triangles and of their vertices, which are gathered for each test. A lane to spare repeats another;
+/// a triangle without area stays out, and where no other is left, it is put down as a point.
+template <std::floating_point T, std::unsigned_integral V, typename Intersector, int N>
+class IndexedBlock {
+ public:
+  using Mesh = TriangleMesh<T, V, Intersector>;
+  using Index = typename Mesh::Index;
+  using Test = PackedTest<Intersector, T, N>;
+
+  IndexedBlock() = default;
+  /// Requires: 1 to N primitives.
+  IndexedBlock(const Mesh& mesh, std::span<const Index> primitives) noexcept {
+    const V point = mesh.triangles[primitives[0]][0];
+    for (auto& vertex : vertex_) vertex.fill(point);
+    primitive_.fill(primitives[0]);
+    std::size_t used = 0;
+    for (const Index primitive : primitives) {
+      const std::array<Vec3<T>, 3> v = mesh.vertices(primitive);
+      if (is_degenerate(v[0], v[1], v[2])) continue;
+      const std::array<V, 3> vertices = mesh.triangles[primitive];
+      for (std::size_t lane = used; lane < (used == 0 ? std::size_t(N) : used + 1); ++lane) {
+        for (std::size_t i = 0; i < 3; ++i) vertex_[i][lane] = vertices[i];
+        primitive_[lane] = primitive;
+      }
+      ++used;
+    }
+  }
+
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& mesh, const typename Test::Prepared& ray,
+                                               T t_max) const noexcept {
+    std::array<std::array<const std::byte*, std::size_t(N)>, 3> from;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t lane = 0; lane < std::size_t(N); ++lane) from[i][lane] = mesh.positions.at(vertex_[i][lane]);
+    const auto vertex = [&](int i, int axis) {
+      return Pack<T, N>::generate([&](int lane) {
+        T value;
+        std::memcpy(&value, from[std::size_t(i)][std::size_t(lane)] + std::size_t(axis) * sizeof(T), sizeof(T));
+        return value;
+      });
+    };
+    return Test::cross_at(vertex, ray, t_max);
+  }
+  [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
+
+ private:
+  std::array<std::array<V, std::size_t(N)>, 3> vertex_;
+  std::array<Index, std::size_t(N)> primitive_;
+};
+
+}  // namespace detail
+
+/// The triangles of a mesh in blocks of N that are tested at once, in the order of the leaves: hits are those of the
+/// mesh's own test to the last bit. What a block cannot decide, a ray through an edge, it asks the mesh for.
+template <typename Block, int N>
 class TriangleBlocks {
  public:
-  using Mesh = TriangleMesh<T, VertexIndex, Watertight>;
+  using Mesh = typename Block::Mesh;
+  using T = typename Mesh::Scalar;
   using Index = typename Mesh::Index;
   static constexpr std::size_t block_size = std::size_t(N);
 
   /// Renumbers the leaves of the tree by blocks. Requires: a valid tree over the mesh.
-  TriangleBlocks(const Mesh& mesh, Tree<T, Index>& tree) {
-    std::size_t count = 0;
-    for (const BinaryNode<T, Index>& node : tree.nodes) count += blocks_for(node.count);
-    blocks_.resize(count);
-    std::size_t next = 0;
-    for (BinaryNode<T, Index>& node : tree.nodes) {
-      if (!node.is_leaf()) continue;
-      for (std::size_t i = 0; i < node.count; ++i) place(mesh, next + i / N, int(i % N), tree.order[node.first + i]);
-      node.first = Index(next);
-      node.count = Index(blocks_for(node.count));
-      next += node.count;
-    }
+  template <Executor E>
+  TriangleBlocks(const Mesh& mesh, Tree<T, Index>& tree, const E& executor) {
+    constexpr std::size_t chunk = 1024;  // nodes; where each begins does not depend on the executor
+    const std::size_t chunks = (tree.nodes.size() + chunk - 1) / chunk;
+    const auto nodes = [&](std::size_t i) {
+      return std::span(tree.nodes).subspan(i * chunk, std::min(chunk, tree.nodes.size() - i * chunk));
+    };
+    std::vector<std::size_t> first(chunks + 1);
+    executor.parallel_for(chunks, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i)
+        for (const BinaryNode<T, Index>& node : nodes(i)) first[i + 1] += blocks_for(node.count);
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    blocks_.resize(first.back());
+    executor.parallel_for(chunks, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i) fill(mesh, tree.order, nodes(i), first[i]);
+    });
   }
 
-  /// A ray, its axes permuted as in Watertight::Prepared, in all lanes.
   struct Prepared {
-    Watertight::Prepared<T> shear;
-    Pack<T, N> x, y, z;  ///< of the origin
-    Pack<T, N> shear_x, shear_y, scale_z;
-    Pack<T, N> t_min;
+    typename Block::Test::Prepared packed;
+    decltype(std::declval<const Mesh&>().prepare(std::declval<const Ray<T>&>())) single;
   };
-
   [[nodiscard]] GLINT_ALWAYS_INLINE Prepared prepare(const Mesh& mesh, const Ray<T>& ray) const noexcept {
-    const Watertight::Prepared<T> shear = mesh.prepare(ray);
-    const std::array<T, 3> origin{ray.origin.x, ray.origin.y, ray.origin.z};
-    const auto all = [](T value) { return Pack<T, N>::broadcast(value); };
-    return {shear,
-            all(origin[std::size_t(shear.x)]),
-            all(origin[std::size_t(shear.y)]),
-            all(origin[std::size_t(shear.z)]),
-            all(shear.shear_x),
-            all(shear.shear_y),
-            all(shear.scale_z),
-            all(ray.t_min)};
+    const auto single = mesh.prepare(ray);
+    return {Block::Test::prepare(ray, single), single};
   }
 
   GLINT_ALWAYS_INLINE bool closest(const Mesh& mesh, const Ray<T>& ray, const Prepared& prepared, Slots<Index> slots,
                                    Hit<T, Index>& best) const noexcept {
-    const Index before = best.primitive;
-    const T t_before = best.t;
+    bool improved = false;
     for (std::size_t i = slots.first; i != std::size_t(slots.first) + slots.count; ++i) {
       const Block& block = blocks_[i];
-      const Crossings c = cross(block, prepared);
-      if (c.inside == 0) continue;
-      std::uint32_t mask = c.inside & ~c.tied & in_interval(c, prepared, best.t);
-      for (; mask != 0; mask &= mask - 1) {
+      const auto c = block.cross(mesh, prepared.packed, best.t);
+      for (std::uint32_t mask = c.hit; mask != 0; mask &= mask - 1) {
         const int lane = std::countr_zero(mask);
-        consider(hit_at(block, c, lane), best);
+        const T t = c.t[lane];
+        const Index primitive = block.primitive(lane);
+        if (!(t < best.t || (t == best.t && primitive < best.primitive))) continue;
+        const T scale = T(1) / c.det[lane];
+        best = {.t = t, .uv = {c.w1[lane] * scale, c.w2[lane] * scale}, .primitive = primitive};
+        improved = true;
       }
-      for (mask = c.inside & c.tied; mask != 0; mask &= mask - 1) {
-        const auto hit = mesh.intersect(ray, prepared.shear, block.primitive[std::size_t(std::countr_zero(mask))]);
-        if (hit) consider(*hit, best);
-      }
+      if (c.tied != 0) improved |= closest_of(c.tied, mesh, ray, prepared, block, best);
     }
-    return best.primitive != before || best.t != t_before;
+    return improved;
   }
 
   [[nodiscard]] GLINT_ALWAYS_INLINE bool occluded(const Mesh& mesh, const Ray<T>& ray, const Prepared& prepared,
                                                   Slots<Index> slots) const noexcept {
     for (std::size_t i = slots.first; i != std::size_t(slots.first) + slots.count; ++i) {
-      const Block& block = blocks_[i];
-      const Crossings c = cross(block, prepared);
-      if (c.inside == 0) continue;
-      if ((c.inside & ~c.tied & in_interval(c, prepared, ray.t_max)) != 0) return true;
-      for (std::uint32_t mask = c.inside & c.tied; mask != 0; mask &= mask - 1)
-        if (mesh.intersect(ray, prepared.shear, block.primitive[std::size_t(std::countr_zero(mask))])) return true;
+      const auto c = blocks_[i].cross(mesh, prepared.packed, ray.t_max);
+      if (c.hit != 0) return true;
+      if (c.tied == 0) continue;
+      Hit<T, Index> any{.t = ray.t_max};
+      if (closest_of(c.tied, mesh, ray, prepared, blocks_[i], any)) return true;
     }
     return false;
   }
@@ -109,94 +196,48 @@ class TriangleBlocks {
   [[nodiscard]] std::size_t bytes() const noexcept { return blocks_.size() * sizeof(Block); }
 
  private:
-  struct Block {
-    std::array<std::array<Pack<T, N>, 3>, 3> vertex = nowhere();  // [vertex][axis]
-    std::array<Index, std::size_t(N)> primitive = nobody();
-  };
-  /// Where the ray crosses the planes of a block's triangles. Where `tied`, rounded areas do not tell the side.
-  struct Crossings {
-    std::uint32_t inside = 0;
-    std::uint32_t tied = 0;
-    Pack<T, N> t, det, v, w;
-  };
-  struct Projected {
-    Pack<T, N> x, y, z;
-  };
-
-  static std::array<std::array<Pack<T, N>, 3>, 3> nowhere() noexcept {
-    std::array<std::array<Pack<T, N>, 3>, 3> vertices;
-    for (auto& vertex : vertices) vertex.fill(Pack<T, N>::broadcast(std::numeric_limits<T>::quiet_NaN()));
-    return vertices;
-  }
-  static std::array<Index, std::size_t(N)> nobody() noexcept {
-    std::array<Index, std::size_t(N)> indices;
-    indices.fill(none<Index>);
-    return indices;
-  }
   [[nodiscard]] static constexpr std::size_t blocks_for(std::size_t count) noexcept {
     return (count + std::size_t(N) - 1) / std::size_t(N);
   }
-  /// A triangle without area stays out: a lane of NaNs is never hit.
-  void place(const Mesh& mesh, std::size_t block, int lane, Index primitive) noexcept {
-    const std::array<Vec3<T>, 3> v = mesh.vertices(primitive);
-    if (is_degenerate(v[0], v[1], v[2])) return;
-    for (std::size_t i = 0; i < 3; ++i) {
-      blocks_[block].vertex[i][0].set(lane, v[i].x);
-      blocks_[block].vertex[i][1].set(lane, v[i].y);
-      blocks_[block].vertex[i][2].set(lane, v[i].z);
+  void fill(const Mesh& mesh, std::span<const Index> order, std::span<BinaryNode<T, Index>> nodes,
+            std::size_t next) noexcept {
+    for (BinaryNode<T, Index>& node : nodes) {
+      if (!node.is_leaf()) continue;
+      const std::size_t begin = next;
+      std::span<const Index> rest = order.subspan(node.first, node.count);
+      for (; !rest.empty(); rest = rest.subspan(std::min(rest.size(), block_size)))
+        blocks_[next++] = Block(mesh, rest.first(std::min(rest.size(), block_size)));
+      node.first = Index(begin);
+      node.count = Index(next - begin);
     }
-    blocks_[block].primitive[std::size_t(lane)] = primitive;
+  }
+  /// Lanes tested one by one.
+  GLINT_NO_INLINE static bool closest_of(std::uint32_t lanes, const Mesh& mesh, const Ray<T>& ray,
+                                         const Prepared& prepared, const Block& block, Hit<T, Index>& best) noexcept {
+    bool improved = false;
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto hit = mesh.intersect(ray, prepared.single, block.primitive(std::countr_zero(lanes)));
+      if (!hit || !is_closer(*hit, best)) continue;
+      best = *hit;
+      improved = true;
+    }
+    return improved;
   }
 
-  [[nodiscard]] GLINT_ALWAYS_INLINE static Projected project(const std::array<Pack<T, N>, 3>& vertex,
-                                                             const Prepared& ray) noexcept {
-    const Pack<T, N> z = vertex[std::size_t(ray.shear.z)] - ray.z;
-    return {(vertex[std::size_t(ray.shear.x)] - ray.x) - fenced(ray.shear_x * z),
-            (vertex[std::size_t(ray.shear.y)] - ray.y) - fenced(ray.shear_y * z), z};
-  }
-  [[nodiscard]] GLINT_ALWAYS_INLINE static Crossings cross(const Block& block, const Prepared& ray) noexcept {
-    const Projected a = project(block.vertex[0], ray);
-    const Projected b = project(block.vertex[1], ray);
-    const Projected c = project(block.vertex[2], ray);
-    // Fenced, a difference is zero just where the rounded products tie.
-    const Pack<T, N> u = fenced(c.x * b.y) - fenced(c.y * b.x);
-    const Pack<T, N> v = fenced(a.x * c.y) - fenced(a.y * c.x);
-    const Pack<T, N> w = fenced(b.x * a.y) - fenced(b.y * a.x);
-    const Pack<T, N> zero = Pack<T, N>::broadcast(T(0));
-    const Pack<T, N> least = min(min(u, v), w);
-    const Pack<T, N> most = max(max(u, v), w);
-    Crossings result;
-    result.inside = less_equal(zero, least) | less_equal(most, zero);
-    if (result.inside == 0) return result;
-    result.tied = ~(less(zero, least) | less(most, zero));
-    result.det = u + v + w;
-    result.t = (fenced(u * a.z) + fenced(v * b.z) + fenced(w * c.z)) * ray.scale_z / result.det;
-    result.v = v;
-    result.w = w;
-    return result;
-  }
-  [[nodiscard]] GLINT_ALWAYS_INLINE static std::uint32_t in_interval(const Crossings& c, const Prepared& ray,
-                                                                     T t_max) noexcept {
-    return less_equal(ray.t_min, c.t) & less_equal(c.t, Pack<T, N>::broadcast(t_max));
-  }
-  [[nodiscard]] GLINT_ALWAYS_INLINE static Hit<T, Index> hit_at(const Block& block, const Crossings& c,
-                                                                int lane) noexcept {
-    const T scale = T(1) / c.det[lane];
-    return {
-        .t = c.t[lane], .uv = {c.v[lane] * scale, c.w[lane] * scale}, .primitive = block.primitive[std::size_t(lane)]};
-  }
-  GLINT_ALWAYS_INLINE static void consider(const Hit<T, Index>& hit, Hit<T, Index>& best) noexcept {
-    if (is_closer(hit, best)) best = hit;
-  }
-
-  std::vector<Block> blocks_;
+  UninitializedVector<Block> blocks_;
 };
 
-template <std::floating_point T, std::unsigned_integral VertexIndex, int N, Executor E>
-[[nodiscard]] TriangleBlocks<T, VertexIndex, N> make_leaves(const TriangleMesh<T, VertexIndex, Watertight>& mesh,
-                                                            Tree<T, std::uint32_t>& tree, CopiedBlocks<N> /*choice*/,
-                                                            const E& /*executor*/) {
-  return TriangleBlocks<T, VertexIndex, N>(mesh, tree);
+template <std::floating_point T, std::unsigned_integral V, typename Intersector, int N, Executor E>
+  requires PackedIntersector<Intersector, T, N>
+[[nodiscard]] auto make_leaves(const TriangleMesh<T, V, Intersector>& mesh, Tree<T, std::uint32_t>& tree,
+                               CopiedBlocks<N> /*choice*/, const E& executor) {
+  return TriangleBlocks<detail::CopiedBlock<T, V, Intersector, N>, N>(mesh, tree, executor);
+}
+template <std::floating_point T, std::unsigned_integral V, typename Intersector, int N, Executor E>
+  requires PackedIntersector<Intersector, T, N>
+[[nodiscard]] auto make_leaves(const TriangleMesh<T, V, Intersector>& mesh, Tree<T, std::uint32_t>& tree,
+                               IndexedBlocks<N> /*choice*/, const E& executor) {
+  return TriangleBlocks<detail::IndexedBlock<T, V, Intersector, N>, N>(mesh, tree, executor);
 }
 
 }  // namespace glint
