@@ -16,6 +16,7 @@
 #include <glint/bvh/build/binned_sah.hpp>
 #include <glint/bvh/build/grow.hpp>
 #include <glint/bvh/build/median.hpp>
+#include <glint/bvh/build/quality.hpp>
 #include <glint/bvh/build/reference.hpp>
 #include <glint/bvh/build/sweep_sah.hpp>
 #include <glint/bvh/bvh.hpp>
