@@ -8,7 +8,7 @@ glint_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
 glint_build_packages=(build-essential cmake ninja-build libglm-dev libtinyobjloader-dev libstb-dev libopenexr-dev
   libtbb-dev nlohmann-json3-dev libcli11-dev catch2)
-glint_benchmark_packages=(libbenchmark-dev)
+glint_benchmark_packages=(libbenchmark-dev libembree-dev)
 glint_check_packages=(clang clang-format clang-tidy libclang-rt-14-dev python3 shellcheck git)
 
 glint_say() { printf '%s: %s\n' "${0##*/}" "$*"; }

@@ -72,11 +72,12 @@ void packed(benchmark::State& state) {
     const std::array<T, 6> planes{b.lower.x, b.lower.y, b.lower.z, b.upper.x, b.upper.y, b.upper.z};
     for (std::size_t p = 0; p < 6; ++p) packs[i / std::size_t(N)].planes[p].set(int(i % std::size_t(N)), planes[p]);
   }
+  const RayReach<T> reach = {.size = T(0.5), .farthest = T(1.5)};
   std::size_t met = 0;
   for (auto _ : state) {
     met = 0;
     for (const Ray<T>& ray : input.rays) {
-      const RayQuery<T, N, RayOrder::Any> query(ray);
+      const RayQuery<T, N, RayOrder::Any> query(ray, reach);
       for (const BoxPack<T, N>& pack : packs) met += std::size_t(std::popcount(query.enter(pack).mask));
     }
     benchmark::DoNotOptimize(met);

@@ -6,20 +6,21 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include <glint/bvh/build/binned_sah.hpp>
-#include <glint/bvh/build/sweep_sah.hpp>
-#include <glint/bvh/bvh.hpp>
-#include <glint/bvh/layout/binary.hpp>
+#include <glint/bvh/build/quality.hpp>
+#include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/mesh_buffers.hpp>
 #include <glint/geometry/ray.hpp>
+#include <glint/geometry/ray_triangle.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
+#include <glint/math/constants.hpp>
 
 #include <peers/embree.hpp>
 #include <peers/ray_sets.hpp>
@@ -41,18 +42,20 @@ struct Ours {
 template <typename Make>
 Ours(const char*, Edges, const char*, Make) -> Ours<Make>;
 
-inline constexpr BinnedSah balanced{.block_size = 4};
-
 /// Our trees, measured with rays.
 [[nodiscard]] inline auto our_layouts() {
   return std::tuple{
       Ours{"wide8", Edges::Watertight, "medium",
-           [](const auto& mesh, const auto& executor) { return Bvh(view(mesh), balanced, executor, wide<8>); }},
-      Ours{"wide4", Edges::Watertight, "medium",
-           [](const auto& mesh, const auto& executor) { return Bvh(view(mesh), balanced, executor, wide<4>); }},
-      Ours{"wide8-sweep", Edges::Watertight, "high",
+           [](const auto& mesh, const auto& executor) { return build(view(mesh), Quality::Balanced, executor); }},
+      Ours{"wide8-best", Edges::Watertight, "high",
+           [](const auto& mesh, const auto& executor) { return build(view(mesh), Quality::Best, executor); }},
+      Ours{"wide8-best-fast", Edges::Fast, "high",
            [](const auto& mesh, const auto& executor) {
-             return Bvh(view(mesh), SweepSah{.block_size = 4}, executor, wide<8>);
+             return build(view<MoellerTrumbore>(mesh), Quality::Best, executor);
+           }},
+      Ours{"wide8-indexed", Edges::Watertight, "medium",
+           [](const auto& mesh, const auto& executor) {
+             return build(view(mesh), Quality::Balanced, executor, wide<8, IndexedBlocks<4>>);
            }},
   };
 }
@@ -60,8 +63,12 @@ inline constexpr BinnedSah balanced{.block_size = 4};
 /// Our trees, measured by how long they take to be made.
 [[nodiscard]] inline auto our_builds() {
   return std::tuple{
+      Ours{"fast", Edges::Watertight, "medium",
+           [](const auto& mesh, const auto& executor) { return build(view(mesh), Quality::Fast, executor); }},
       Ours{"balanced", Edges::Watertight, "medium",
-           [](const auto& mesh, const auto& executor) { return Bvh(view(mesh), balanced, executor); }},
+           [](const auto& mesh, const auto& executor) { return build(view(mesh), Quality::Balanced, executor); }},
+      Ours{"best", Edges::Watertight, "high",
+           [](const auto& mesh, const auto& executor) { return build(view(mesh), Quality::Best, executor); }},
   };
 }
 
@@ -78,12 +85,11 @@ struct Theirs {
           {"high-robust", Edges::Watertight, {RTC_BUILD_QUALITY_HIGH, RTC_SCENE_FLAG_ROBUST}}};
 }
 
-/// Only for builds: quick to make, slow to cast rays at.
 [[nodiscard]] inline EmbreeSettings settings_named(const std::string& name) {
   for (const Theirs& theirs : their_settings()) {
     if (theirs.name == name) return theirs.settings;
   }
-  return {RTC_BUILD_QUALITY_LOW, RTC_SCENE_FLAG_NONE};
+  throw std::invalid_argument("no setting is named " + name);
 }
 
 /// A ray caster without its type. Rays are answered many at a time, so that this costs nothing.

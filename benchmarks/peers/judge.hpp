@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -36,7 +36,8 @@ namespace glint::bench {
 
 /// The tolerance is one of place, across the ray: some roundings of the largest coordinate, relative to the ray's
 /// origin. A ray that passes an edge within it may take it for hit or for missed. Along a ray that meets a surface at a
-/// slant, the same error of place is the longer the flatter the slant.
+/// slant, the same error of place is the longer the flatter the slant; and depth that is interpolated from the corners
+/// loses a rounding as often as a triangle is longer than it is high.
 class Judge {
  public:
   explicit Judge(const MeshBuffers<float>& mesh) {
@@ -72,15 +73,17 @@ class Judge {
 
   [[nodiscard]] double tolerance(const Ray<float>& ray) const {
     const Vec3<float> o = glm::abs(ray.origin);
-    return 16 * double(std::numeric_limits<float>::epsilon()) * (reach_ + double(std::max({o.x, o.y, o.z})));
+    return roundings_ * double(std::numeric_limits<float>::epsilon()) * (reach_ + double(std::max({o.x, o.y, o.z})));
   }
 
   /// By how much t may be off.
   [[nodiscard]] double slack_along(const Ray<float>& ray, const Ray<double>& exact, std::uint32_t primitive) const {
     const auto [a, b, c] = tree_->set().vertices(primitive);
     const Vec3<double> normal = glm::cross(b - a, c - a);
-    const double slant = std::abs(glm::dot(normal, exact.direction));
-    return tolerance(ray) * glm::length(normal) / std::max(slant, std::numeric_limits<double>::min());
+    const double area = std::max(glm::length(normal), std::numeric_limits<double>::min());
+    const double slant = std::max(std::abs(glm::dot(normal, exact.direction)), std::numeric_limits<double>::min());
+    const double longest = std::max({glm::dot(b - a, b - a), glm::dot(c - a, c - a), glm::dot(c - b, c - b)});
+    return tolerance(ray) * (area / slant + longest / (area * roundings_ * glm::length(exact.direction)));
   }
 
   [[nodiscard]] double past_edges(const Ray<double>& ray, std::uint32_t primitive) const {
@@ -117,14 +120,15 @@ class Judge {
     Ray<double> rest = exact;
     while (const auto hit = tree_->closest(rest)) {
       const double margin = slack + slack_along(ray, exact, hit->primitive);
-      const bool at_end = hit->t > exact.t_max - margin || hit->t < exact.t_min + margin;
-      if (hit->t >= t - margin) return true;
+      if (hit->t >= t) return true;
+      const bool at_end = hit->t > exact.t_max - margin || hit->t < exact.t_min + margin || hit->t >= t - margin;
       if (!at_end && past_edges(exact, hit->primitive) > tolerance(ray)) return false;
       rest.t_min = std::nextafter(hit->t, std::numeric_limits<double>::infinity());
     }
     return true;
   }
 
+  static constexpr double roundings_ = 16;
   MeshBuffers<double> mesh_;
   std::unique_ptr<Bvh<TriangleMesh<double>>> tree_;
   double reach_ = 0;

@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
+#include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include <glint/core/executor.hpp>
 #include <glint/core/tbb_executor.hpp>
-#include <glint/geometry/hit.hpp>
-#include <glint/geometry/mesh_buffers.hpp>
-#include <glint/math/constants.hpp>
+#include <glint/geometry/triangle_mesh.hpp>
+#include <glint/math/vec.hpp>
 
 #include <peers/contenders.hpp>
 #include <peers/embree.hpp>
 #include <peers/judge.hpp>
 #include <peers/options.hpp>
+#include <peers/race.hpp>
 #include <peers/ray_sets.hpp>
+#include <peers/report.hpp>
 #include <peers/timing.hpp>
 #include <support/meshes.hpp>
 #include <support/named_mesh.hpp>
@@ -34,140 +35,6 @@ namespace {
 
 using namespace glint;
 using namespace glint::bench;
-
-using Contenders = std::vector<Contender>;
-using Answers = std::vector<Hit<float>>;
-
-/// Seconds of each repetition, for each contender.
-using Times = std::vector<std::vector<double>>;
-
-struct Measured {
-  RaySet set;
-  Times times;
-  std::vector<Answers> answers;  ///< of each contender
-};
-
-[[nodiscard]] bool is_ours(const Contender& c) {
-  return !c.like.empty();
-}
-
-/// All contenders answer all rays, a slice at a time, each slice by all of them before the next. Who begins changes
-/// from slice to slice, and so does the direction of the round.
-void run_once(const Contenders& contenders, Measured& measured, std::size_t repetition) {
-  const std::span<const Ray<float>> rays = measured.set.rays;
-  const std::size_t slice = 1 << 14;
-  const std::size_t n = contenders.size();
-  for (std::vector<double>& times : measured.times) times.push_back(0);
-  for (std::size_t first = 0, turn = repetition; first < rays.size(); first += slice, ++turn) {
-    const std::size_t count = std::min(slice, rays.size() - first);
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t who = turn / n % 2 == 0 ? (turn + i) % n : (turn + n - i) % n;
-      const std::span answers = std::span(measured.answers[who]).subspan(first, count);
-      measured.times[who].back() += seconds_of(CLOCK_THREAD_CPUTIME_ID, [&] {
-        contenders[who].answer(measured.set.question, rays.subspan(first, count), answers);
-      });
-    }
-  }
-}
-
-/// One repetition to warm up, then as many as take every contender long enough.
-[[nodiscard]] Measured run(const Contenders& contenders, RaySet set, bool quick) {
-  Measured measured{std::move(set), Times(contenders.size()), {}};
-  measured.answers.assign(contenders.size(), Answers(measured.set.rays.size(), Hit<float>{.t = infinity<float>}));
-  if (measured.set.rays.empty())
-    throw std::runtime_error("no ray of the set '" + measured.set.name + "' starts anywhere");
-  run_once(contenders, measured, 0);
-  double shortest = infinity<double>;
-  for (std::vector<double>& times : measured.times) {
-    shortest = std::min(shortest, times.back());
-    times.clear();
-  }
-  const int rounds = quick ? 1 : std::max(1, int(std::ceil(0.02 / shortest)));
-  for (std::size_t repetition = 0; repetition < (quick ? 3U : 9U); ++repetition) {
-    std::vector<double> sums(contenders.size());
-    for (int round = 0; round < rounds; ++round) {
-      run_once(contenders, measured, repetition);
-      for (std::size_t i = 0; i < sums.size(); ++i) {
-        sums[i] += measured.times[i].back();
-        measured.times[i].pop_back();
-      }
-    }
-    for (std::size_t i = 0; i < sums.size(); ++i) measured.times[i].push_back(sums[i] / rounds);
-  }
-  return measured;
-}
-
-[[nodiscard]] double mega_rays(const Measured& measured, std::size_t contender) {
-  return 1e-6 * double(measured.set.rays.size()) / median(measured.times[contender]);
-}
-
-/// How many answers of each contender the judge finds wrong. It is asked where contenders disagree.
-void count_wrong(const Contenders& contenders, const Measured& measured, const Judge& judge,
-                 std::vector<std::size_t>& wrong) {
-  const auto& [set, times, answers] = measured;
-  const auto same = [&](const Hit<float>& a, const Hit<float>& b) {
-    if (a.primitive != b.primitive) return false;
-    return set.question == Question::Occluded || a.t == b.t || std::abs(a.t - b.t) <= 1e-5F * std::abs(a.t);
-  };
-  for (std::size_t i = 0; i < set.rays.size(); ++i) {
-    const auto agrees = [&](const Answers& other) { return same(answers[0][i], other[i]); };
-    if (std::all_of(answers.begin(), answers.end(), agrees)) continue;
-    for (std::size_t who = 0; who < contenders.size(); ++who) {
-      const Hit<float>& hit = answers[who][i];
-      const bool met = hit.primitive != none<std::uint32_t>;
-      const bool right =
-          set.question == Question::Closest
-              ? judge.is_right(set.rays[i], met ? std::optional(hit) : std::nullopt)
-              : judge.is_right(set.rays[i], met, met ? contenders[who].witness(set.rays[i]) : std::nullopt);
-      wrong[who] += right ? 0U : 1U;
-    }
-  }
-}
-
-/// The fastest of ours over the fastest of theirs; theirs of the same kind of edges, ours of it or of a stricter one.
-void print_best(const std::string& mesh, const Contenders& contenders, const Measured& measured, Edges edges) {
-  std::size_t best[2] = {contenders.size(), contenders.size()};
-  for (std::size_t i = 0; i < contenders.size(); ++i) {
-    const bool ours = is_ours(contenders[i]);
-    const bool allowed = contenders[i].edges == edges || (ours && contenders[i].edges == Edges::Watertight);
-    std::size_t& leader = best[ours ? 0 : 1];
-    if (allowed && (leader == contenders.size() || mega_rays(measured, i) > mega_rays(measured, leader))) leader = i;
-  }
-  if (best[0] == contenders.size() || best[1] == contenders.size()) return;
-  std::printf("best  %-10s %-8s %-10s %5.2f  %s over %s\n", mesh.c_str(), measured.set.name.c_str(),
-              edges == Edges::Watertight ? "watertight" : "any",
-              median_ratio(measured.times[best[1]], measured.times[best[0]]), contenders[best[0]].name.c_str(),
-              contenders[best[1]].name.c_str());
-}
-
-void print_rates(const std::string& mesh, const Contenders& contenders, const std::vector<Measured>& all) {
-  std::printf("%-24s", "million rays a second");
-  for (const Measured& measured : all) std::printf("%9s", measured.set.name.c_str());
-  for (std::size_t i = 0; i < contenders.size(); ++i) {
-    std::printf("\n%-7s%-17s", is_ours(contenders[i]) ? "glint" : "embree", contenders[i].name.c_str());
-    for (const Measured& measured : all) std::printf("%9.2f", mega_rays(measured, i));
-  }
-  std::printf("\n");
-  for (const Measured& measured : all) {
-    for (std::size_t ours = 0; ours < contenders.size(); ++ours) {
-      for (std::size_t theirs = 0; theirs < contenders.size(); ++theirs) {
-        if (!is_ours(contenders[ours]) || is_ours(contenders[theirs])) continue;
-        std::printf("RATIO %s %s %s %s %.3f\n", mesh.c_str(), measured.set.name.c_str(), contenders[ours].name.c_str(),
-                    contenders[theirs].name.c_str(), median_ratio(measured.times[theirs], measured.times[ours]));
-      }
-    }
-  }
-}
-
-void print_bytes(const NamedMesh& mesh, const EmbreeDevice& device, const Contenders& contenders) {
-  const double triangles = double(mesh.buffers.indices.size() / 3);
-  for (const Contender& ours : contenders) {
-    if (!is_ours(ours)) continue;
-    const auto theirs = EmbreeCaster(device, mesh.buffers, settings_named(ours.like)).bytes();
-    std::printf("BYTES %s %s %.1f %.1f\n", mesh.name.c_str(), ours.name.c_str(), double(ours.bytes) / triangles,
-                double(theirs) / triangles);
-  }
-}
 
 /// Everything that can be named after --only.
 struct Names {
@@ -181,7 +48,6 @@ struct Peers {
   PeerOptions options;
   Names names;
   std::size_t wrong = 0;
-  std::vector<std::string> summary;
 
   [[nodiscard]] Contenders contenders(const NamedMesh& mesh, const EmbreeDevice& device) const {
     Contenders all;
@@ -245,13 +111,17 @@ struct Peers {
     const EmbreeSettings settings = settings_named(ours.like);
     std::vector<double> our_times;
     std::vector<double> their_times;
+    // Workers look for more to do where they last worked, before they come to whoever is next.
+    const auto part = [&] { std::this_thread::sleep_for(std::chrono::milliseconds(threads == 1 ? 0 : 10)); };
     const auto build_ours = [&] {
+      part();
       using Caster = decltype(ours.make(mesh.buffers, executor));
       std::unique_ptr<Caster> made;
       our_times.push_back(
           seconds_of(clock, [&] { made = std::make_unique<Caster>(ours.make(mesh.buffers, executor)); }));
     };
     const auto build_theirs = [&] {
+      part();
       std::unique_ptr<EmbreeCaster> made;
       their_times.push_back(
           seconds_of(clock, [&] { made = std::make_unique<EmbreeCaster>(device, mesh.buffers, settings); }));
@@ -345,7 +215,7 @@ void measure_all(Peers& peers) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  Peers peers{parse_peer_options({argv + 1, argv + argc}), {}, 0, {}};
+  Peers peers{parse_peer_options({argv + 1, argv + argc}), {}, 0};
   if (peers.options.help) {
     std::fputs(peer_help.data(), stdout);
     return EXIT_SUCCESS;

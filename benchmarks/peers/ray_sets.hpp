@@ -38,7 +38,8 @@ struct RaySet {
   const float size = glm::length(extent(box));
   return {.eye = center + Vec3<float>{0.3F, 0.4F, 1.0F} * size,
           .target = center,
-          .light = center + Vec3<float>{0.5F, 2.0F, 1.0F} * size};
+          .light = center + Vec3<float>{0.5F, 2.0F, 1.0F} * size,
+          .half_width = 0.27F};
 }
 
 /// Casts a square image row by row, one jittered ray a pixel, and hands each to `use(ray)`.

@@ -85,8 +85,8 @@ class LatticeNoise {
   for (std::size_t i = 0; i < triangles; ++i) {
     const Vec3<float> center = anywhere();
     const Vec3<float> diagonal = glm::sign(anywhere()) + anywhere() * 0.4F;
-    const Vec3<float> half = diagonal * (0.1F + 0.15F * random.uniform<float>());
-    testing::detail::add_triangle<float>(mesh, center - half, center + half, center + anywhere() * 0.004F);
+    const Vec3<float> half = diagonal * (0.02F + 0.05F * random.uniform<float>());
+    testing::detail::add_triangle<float>(mesh, center - half, center + half, center + anywhere() * 0.002F);
   }
   return mesh;
 }
