@@ -92,7 +92,8 @@ inline void run_once(const Contenders& contenders, Measured& measured, std::size
 /// How many answers of each contender the judge finds wrong. It is asked where contenders disagree.
 inline void count_wrong(const Contenders& contenders, const Measured& measured, const Judge& judge,
                         std::vector<std::size_t>& wrong) {
-  const auto& [set, times, answers] = measured;
+  const RaySet& set = measured.set;
+  const std::vector<Answers>& answers = measured.answers;
   const auto same = [&](const Hit<float>& a, const Hit<float>& b) {
     if (a.primitive != b.primitive) return false;
     return set.question == Question::Occluded || a.t == b.t || std::abs(a.t - b.t) <= 1e-5F * std::abs(a.t);
