@@ -12,6 +12,7 @@
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
+#include <glint/simd/pack.hpp>
 
 namespace glint {
 
@@ -28,6 +29,9 @@ struct CopiedBlocks {};
 /// A choice of leaves: blocks of N primitives that are tested at once, and look up the user's own data by index. Small.
 template <int N>
 struct IndexedBlocks {};
+/// What layouts choose unless told: copies, in blocks as wide as a register of numbers, but no wider than eight, where
+/// leaves would grow past what is good for trees.
+using DefaultLeaves = CopiedBlocks<(register_lanes<float> < 8) ? 4 : 8>;
 
 /// What a set without `prepare` computes once a ray.
 struct Unprepared {};
