@@ -13,6 +13,9 @@
 #include <glint/bvh/build/median.hpp>
 #include <glint/bvh/build/sweep_sah.hpp>
 #include <glint/bvh/layout/binary.hpp>
+#include <glint/bvh/layout/collapse.hpp>
+#include <glint/bvh/layout/quantized.hpp>
+#include <glint/bvh/layout/wide.hpp>
 #include <glint/geometry/elements.hpp>
 #include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
@@ -84,6 +87,9 @@ void check_every_composition(const Set& set) {
     check_laws(Bvh(set, builder, glint::wide<8>), set);
     check_laws(Bvh(set, builder, glint::wide<4>), set);
     check_laws(Bvh(set, builder, glint::wide<2>), set);
+    check_laws(Bvh(set, builder, glint::WideLayout<8>{glint::Collapse::Greedy}), set);
+    check_laws(Bvh(set, builder, glint::quantized<8>), set);
+    check_laws(Bvh(set, builder, glint::quantized<4>), set);
     check_laws(Bvh(set, builder, glint::binary), set);
   };
   with_layouts(BinnedSah{});

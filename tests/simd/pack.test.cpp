@@ -81,6 +81,31 @@ void check_pack() {
   CHECK(whole[0] == (N == 1 ? T(7.9) : T(-2.75)));
 }
 
+/// Bytes loaded as numbers, and lanes taken by comparison, one by one.
+template <typename T, int N, int W>
+void check_bytes() {
+  using P = Pack<T, N, W>;
+  std::mt19937 random(N * 100 + W);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::array<std::uint8_t, std::size_t(N)> a{};
+    std::array<std::uint8_t, std::size_t(N)> b{};
+    for (auto* bytes : {&a, &b})
+      for (std::uint8_t& byte : *bytes) byte = std::uint8_t(random());
+    a[0] = std::uint8_t(trial % 2 == 0 ? 255 : 0);
+    const P p = P::load(a.data());
+    const P q = P::load(b.data());
+    const P chosen = where_less_equal(p, q, P::broadcast(T(1)), P::broadcast(T(2)));
+    bool good = true;
+    for (int i = 0; i < N; ++i) {
+      good = good && p[i] == T(a[std::size_t(i)]) && q[i] == T(b[std::size_t(i)]);
+      good = good && chosen[i] == (a[std::size_t(i)] <= b[std::size_t(i)] ? T(1) : T(2));
+    }
+    CHECK(good);
+  }
+  const P nan = P::broadcast(std::numeric_limits<T>::quiet_NaN());
+  CHECK(where_less_equal(nan, nan, P::broadcast(T(1)), P::broadcast(T(2)))[N - 1] == T(2));
+}
+
 }  // namespace
 
 TEMPLATE_TEST_CASE("pack: every lane is computed as the number alone would be", "[simd]", float, double) {
@@ -104,4 +129,13 @@ TEST_CASE("pack: where either is NaN, min and max keep the second", "[simd]") {
   CHECK(min(nan, one)[2] == 1);
   CHECK(max(nan, one)[2] == 1);
   CHECK(std::isnan(min(one, nan)[2]));
+}
+
+TEMPLATE_TEST_CASE("pack: bytes are loaded as the whole numbers they are", "[simd]", float, double) {
+  check_bytes<TestType, 2, glint::register_lanes<TestType> == 1 ? 1 : 2>();
+  check_bytes<TestType, 4, (glint::register_lanes<TestType> < 4 ? glint::register_lanes<TestType> : 4)>();
+  check_bytes<TestType, 8, (glint::register_lanes<TestType> < 8 ? glint::register_lanes<TestType> : 8)>();
+  check_bytes<TestType, 16, (glint::register_lanes<TestType> < 16 ? glint::register_lanes<TestType> : 16)>();
+  check_bytes<TestType, 1, 1>();
+  check_bytes<TestType, 8, 1>();
 }

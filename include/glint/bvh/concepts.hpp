@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <glint/bvh/tree.hpp>
+#include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
@@ -44,6 +45,8 @@ struct Link {
 template <std::floating_point T, int N>
 struct BoxPack {
   std::array<Pack<T, N>, 6> planes;
+
+  [[nodiscard]] GLINT_ALWAYS_INLINE const Pack<T, N>& plane(std::size_t i) const noexcept { return planes[i]; }
 };
 
 /// A tree transcoded for traversal: nodes of up to `width` children.
@@ -51,7 +54,8 @@ struct BoxPack {
 ///     int width                              // a power of two
 ///     Link<I> root()                         // a leaf of a tree with one node; requires: not empty()
 ///     BoxPack<T, width> children(I node)     // a value where boxes are decoded, a reference where they are stored
-///     std::array<Link<I>, width> links(I node)   // likewise; those of missing children are never followed
+///     auto links(I node)                     // links(node)[i] -> Link<I>; a missing child's is a leaf that there is,
+///                                            // for a ray of infinities may enter its empty box
 ///
 /// Ensures: no path from the root is longer than Tree::max_depth.
 template <typename L>
@@ -61,15 +65,18 @@ concept Layout = requires(const L& layout, typename L::Index node) {
   { layout.empty() } -> std::same_as<bool>;
   { layout.root() } -> std::same_as<Link<typename L::Index>>;
   { layout.children(node) } -> std::convertible_to<const BoxPack<typename L::Scalar, L::width>&>;
-  { layout.links(node) } -> std::convertible_to<const std::array<Link<typename L::Index>, std::size_t(L::width)>&>;
+  { layout.links(node)[std::size_t{}] } -> std::convertible_to<Link<typename L::Index>>;
 };
 
-/// The choice of a layout, handed to a Bvh: `binary`, `wide<8>`. It names the layout for any scalar and index, and how
-/// the primitives in the leaves are kept (leaves.hpp).
+/// The choice of a layout, handed to a Bvh: `binary`, `wide<8>`. It names the layout for any scalar and index, makes it
+/// of a tree, the same for every executor, and names how the primitives in the leaves are kept (leaves.hpp).
 template <typename C>
-concept LayoutChoice = requires {
+concept LayoutChoice = requires(const C& choice, const Tree<float, std::uint32_t>& tree, const Serial& executor) {
   typename C::template Nodes<float, std::uint32_t>;
   typename C::Leaves;
+  {
+    choice.template nodes<float, std::uint32_t>(tree, executor)
+    } -> std::same_as<typename C::template Nodes<float, std::uint32_t>>;
 };
 
 /// Which children a query wants to see, one bit each, and the key by which it wants to see the smallest first.

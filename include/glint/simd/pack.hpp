@@ -89,16 +89,41 @@ GLINT_ALWAYS_INLINE void truncate_word(const Word& word, std::int32_t* to) noexc
   if constexpr (W == 1) *to = std::int32_t(word);
 }
 
+#if defined(__GNUC__)
+/// W bytes as numbers of 32 bits. GCC converts one by one, so this takes the builtins behind the intrinsics.
+template <int W>
+[[nodiscard]] GLINT_ALWAYS_INLINE typename WordOf<std::int32_t, W>::type widened_bytes(
+    const std::uint8_t* from) noexcept {
+#if defined(__SSE2__) && !defined(__clang__)
+  if constexpr (W == 4) {
+    std::uint32_t whole;
+    std::memcpy(&whole, from, sizeof(whole));
+    const auto bytes = std::bit_cast<typename WordOf<char, 16>::type>(typename WordOf<std::uint32_t, 4>::type{whole});
+    const typename WordOf<char, 16>::type none{};
+    const auto pairs = std::bit_cast<typename WordOf<short, 8>::type>(__builtin_ia32_punpcklbw128(bytes, none));
+    return std::bit_cast<typename WordOf<std::int32_t, 4>::type>(
+        __builtin_ia32_punpcklwd128(pairs, typename WordOf<short, 8>::type{}));
+  }
+#endif
+#if defined(__AVX2__) && !defined(__clang__)
+  if constexpr (W == 8) {
+    long long whole;
+    std::memcpy(&whole, from, sizeof(whole));
+    const auto bytes = std::bit_cast<typename WordOf<char, 16>::type>(typename WordOf<long long, 2>::type{whole});
+    return std::bit_cast<typename WordOf<std::int32_t, 8>::type>(__builtin_ia32_pmovzxbd256(bytes));
+  }
+#endif
+  typename WordOf<std::uint8_t, W>::type bytes;
+  std::memcpy(&bytes, from, sizeof(bytes));
+  return __builtin_convertvector(bytes, typename WordOf<std::int32_t, W>::type);
+}
+#endif
+
 /// W whole numbers of a byte each. By way of 32 bits, for which there are instructions.
 template <typename T, int W>
 [[nodiscard]] GLINT_ALWAYS_INLINE typename WordOf<T, W>::type word_of_bytes(const std::uint8_t* from) noexcept {
 #if defined(__GNUC__)
-  if constexpr (W > 1) {
-    typename WordOf<std::uint8_t, W>::type bytes;
-    std::memcpy(&bytes, from, sizeof(bytes));
-    const auto whole = __builtin_convertvector(bytes, typename WordOf<std::int32_t, W>::type);
-    return __builtin_convertvector(whole, typename WordOf<T, W>::type);
-  }
+  if constexpr (W > 1) return __builtin_convertvector(widened_bytes<W>(from), typename WordOf<T, W>::type);
 #endif
   if constexpr (W == 1) return T(*from);
 }

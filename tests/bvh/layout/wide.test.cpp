@@ -28,7 +28,7 @@ TEMPLATE_TEST_CASE("wide: holds the leaves of the tree, each once, with its box"
   }
 }
 
-TEST_CASE("wide: opens the largest children first", "[bvh][layout]") {
+TEST_CASE("wide: a greedy collapse opens the largest children first", "[bvh][layout]") {
   // The root's children: A, small, and B, large, both inner. With room for three, B is opened and A stays.
   glint::Tree<float> tree;
   const auto box = [](float x, float size) { return glint::Aabb<float>{{x, 0, 0}, {x + size, size, size}}; };
@@ -36,9 +36,9 @@ TEST_CASE("wide: opens the largest children first", "[bvh][layout]") {
                 {box(1, 1), 1, 1},  {box(2, 3), 2, 1}, {box(5, 6), 3, 1}};
   tree.order = {0, 1, 2, 3};
   tree.depth = 2;
-  const glint::WideNodes<float, std::uint32_t, 4> four(tree);
+  const glint::WideNodes<float, std::uint32_t, 4> four(tree, glint::Collapse::Greedy);
   CHECK(four.bytes() == 128);  // all four leaves in one node
-  const glint::WideNodes<float, std::uint32_t, 2> two(tree);
+  const glint::WideNodes<float, std::uint32_t, 2> two(tree, glint::Collapse::Greedy);
   CHECK(two.bytes() == 3 * 64);
 }
 

@@ -10,6 +10,7 @@
 #include <glint/bvh/leaves.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
+#include <glint/core/executor.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/simd/pack.hpp>
 
@@ -56,11 +57,16 @@ class BinaryNodes {
 };
 
 /// Names the layout, and the leaves that go with it: `Bvh{mesh, BinnedSah{}, binary}`.
-template <typename LeafChoice = CopiedBlocks<4>>
+template <typename LeafChoice = DefaultLeaves>
 struct BinaryLayout {
   using Leaves = LeafChoice;
   template <std::floating_point T, std::unsigned_integral I>
   using Nodes = BinaryNodes<T, I>;
+
+  template <std::floating_point T, std::unsigned_integral I, Executor E>
+  [[nodiscard]] Nodes<T, I> nodes(const Tree<T, I>& tree, const E& /*executor*/) const {
+    return Nodes<T, I>(tree);
+  }
 };
 inline constexpr BinaryLayout<> binary{};
 
