@@ -55,7 +55,8 @@ template <typename Nodes>
 std::vector<unsigned> boxes_met(const std::vector<Aabb<float>>& boxes, const Tree<float>& tree,
                                 const glint::Ray<float>& ray) {
   std::vector<unsigned> met;
-  const glint::RayQuery<float, Nodes::width, glint::RayOrder::Any> query(ray);
+  const auto world = tree.nodes.empty() ? Aabb<float>{} : tree.nodes.front().bounds;
+  const glint::RayQuery<float, Nodes::width, glint::RayOrder::Any> query(ray, glint::RayReach<float>::of(world));
   glint::traverse(Nodes(tree), query, [&](const auto& slots) {
     for (std::size_t slot = slots.first; slot < slots.first + slots.count; ++slot)
       if (intersect(ray, boxes[tree.order[slot]])) met.push_back(tree.order[slot]);

@@ -23,7 +23,7 @@ struct Pending {
 };
 
 /// The links still to be followed. A walk leaves at most width − 1 siblings behind at each of max_depth levels, and
-/// takes the last child without storing it, so this is never full: descend() stores `width` for a moment, at the
+/// takes the nearest child without leaving it, so this is never full: descend() stores `width` for a moment, at the
 /// deepest level, hence the one more.
 template <Layout L>
 using PendingOf = FixedStack<Pending<typename L::Scalar, typename L::Index>,
@@ -38,45 +38,62 @@ GLINT_ALWAYS_INLINE void push_sorted(Stack& pending, std::size_t base, const Ent
   pending[at] = entry;
 }
 
+/// Where the bits of a mask are, from the lowest.
+[[nodiscard]] GLINT_ALWAYS_INLINE std::size_t take_lowest(std::uint32_t& mask) noexcept {
+  const auto i = std::size_t(std::countr_zero(mask));
+  mask &= mask - 1;
+  return i;
+}
+
+/// Leaves the children of the mask but the nearest of all on the stack, and returns that.
+///
+/// The commonest case, two of them, is decided by a branch: what is guessed need not be waited for.
+template <Layout L, typename Links>
+[[nodiscard]] GLINT_ALWAYS_INLINE Link<typename L::Index> nearest_of(const Links& links,
+                                                                     const Pack<typename L::Scalar, L::width>& keys,
+                                                                     std::size_t first, std::uint32_t mask,
+                                                                     PendingOf<L>& pending) noexcept {
+  using Entry = Pending<typename L::Scalar, typename L::Index>;
+  std::array<typename L::Scalar, std::size_t(L::width)> key;
+  keys.store(key.data());
+  const std::size_t second = take_lowest(mask);
+  const Entry a{links[first], key[first]};
+  const Entry b{links[second], key[second]};
+  if (mask == 0) {
+    if (a.key <= b.key) {
+      pending.push(b);
+      return a.link;
+    }
+    pending.push(a);
+    return b.link;
+  }
+  const std::size_t base = pending.size();
+  pending.push(a.key < b.key ? b : a);
+  pending.push(a.key < b.key ? a : b);
+  do {
+    const std::size_t i = take_lowest(mask);
+    push_sorted(pending, base, Entry{links[i], key[i]});
+  } while (mask != 0);
+  return pending.pop().link;
+}
+
 /// From an inner node to the child to visit first; its siblings are left on the stack. False where no child matters.
 template <Layout L, typename Query>
 [[nodiscard]] GLINT_ALWAYS_INLINE bool descend(const L& layout, const Query& query, Link<typename L::Index>& link,
                                                PendingOf<L>& pending) noexcept {
-  using T = typename L::Scalar;
-  const auto& boxes = layout.children(link.first);
   const auto& links = layout.links(link.first);
-  const Entered<T, L::width> entered = query.enter(boxes);
+  const Entered<typename L::Scalar, L::width> entered = query.enter(layout.children(link.first));
   std::uint32_t mask = entered.mask;
   if (mask == 0) return false;
-  const auto next = [&] {
-    const int i = std::countr_zero(mask);
-    mask &= mask - 1;
-    return i;
-  };
-  const int first = next();
-  if (mask == 0) {
-    link = links[std::size_t(first)];
-    return true;
-  }
-  std::array<T, std::size_t(L::width)> key;
-  entered.key.store(key.data());
-  const auto child = [&](int i) { return Pending<T, typename L::Index>{links[std::size_t(i)], key[std::size_t(i)]}; };
+  const std::size_t first = take_lowest(mask);
+  link = links[first];
+  if (mask == 0) return true;
   if constexpr (Query::ordered) {
-    const int second = next();
-    if (mask == 0) {
-      const bool swapped = key[std::size_t(second)] < key[std::size_t(first)];
-      pending.push(child(swapped ? first : second));
-      link = links[std::size_t(swapped ? second : first)];
-      return true;
-    }
-    const std::size_t base = pending.size();
-    pending.push(child(first));
-    push_sorted(pending, base, child(second));
-    while (mask != 0) push_sorted(pending, base, child(next()));
-    link = pending.pop().link;
+    link = nearest_of<L>(links, entered.key, first, mask, pending);
   } else {
-    link = links[std::size_t(first)];
-    while (mask != 0) pending.push(child(next()));
+    do {
+      pending.push({links[take_lowest(mask)], {}});
+    } while (mask != 0);
   }
   return true;
 }
@@ -94,16 +111,17 @@ GLINT_ALWAYS_INLINE Walk traverse(const L& layout, const Query& query, const Vis
   detail::PendingOf<L> pending;
   Link<typename L::Index> link = layout.root();
   while (true) {
-    bool matters = true;
-    while (matters && !link.is_leaf()) matters = detail::descend(layout, query, link, pending);
-    if (matters && visit(link.slots()) == Walk::Stop) return Walk::Stop;
-    bool found = false;
-    while (!found) {
+    if (!link.is_leaf()) {
+      if (detail::descend(layout, query, link, pending)) continue;
+    } else if (visit(link.slots()) == Walk::Stop) {
+      return Walk::Stop;
+    }
+    do {
       if (pending.empty()) return Walk::Continue;
       const auto next = pending.pop();
       link = next.link;
-      found = !Query::ordered || next.key <= query.limit();
-    }
+      if (!Query::ordered || next.key <= query.limit()) break;
+    } while (true);
   }
 }
 
