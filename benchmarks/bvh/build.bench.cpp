@@ -6,6 +6,7 @@
 
 #include <glint/bvh/build/binned_sah.hpp>
 #include <glint/bvh/build/median.hpp>
+#include <glint/bvh/build/morton.hpp>
 #include <glint/bvh/build/sweep_sah.hpp>
 #include <glint/bvh/bvh.hpp>
 #include <glint/bvh/pass/statistics.hpp>
@@ -65,6 +66,7 @@ int main(int argc, char** argv) {
     meshes = bench::meshes(options);
     for (const bench::NamedMesh& mesh : meshes) {
       register_builder("median", mesh, Median{});
+      register_builder("morton", mesh, Morton{});
       register_builder("binned sah", mesh, BinnedSah{});
       register_builder("sweep sah", mesh, SweepSah{});
     }

@@ -18,7 +18,10 @@
 #include <glint/bvh/build/deal.hpp>
 #include <glint/bvh/build/grow.hpp>
 #include <glint/bvh/build/median.hpp>
+#include <glint/bvh/build/morton.hpp>
+#include <glint/bvh/build/morton_order.hpp>
 #include <glint/bvh/build/quality.hpp>
+#include <glint/bvh/build/radix_sort.hpp>
 #include <glint/bvh/build/reference.hpp>
 #include <glint/bvh/build/spatial_sah.hpp>
 #include <glint/bvh/build/sweep_sah.hpp>

@@ -30,8 +30,8 @@ TEMPLATE_TEST_CASE("quality: every one obeys the laws of builders whatever the b
 }
 
 TEST_CASE("quality: what takes longer to build costs rays less", "[bvh][build]") {
-  const auto soup = glint::testing::triangle_soup<float>(3000, 1);
-  const auto cost = [&](Quality quality) { return glint::build(view(soup), quality).statistics().sah_cost; };
+  const auto blob = glint::testing::scanned_blob<float>(3000, 1);
+  const auto cost = [&](Quality quality) { return glint::build(view(blob), quality).statistics().sah_cost; };
   CHECK(cost(Quality::Best) < cost(Quality::Balanced));
   CHECK(cost(Quality::Balanced) < cost(Quality::Fast));
 }
