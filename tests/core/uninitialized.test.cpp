@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 #include <support/catch.hpp>
 
@@ -35,4 +36,17 @@ TEST_CASE("uninitialized: elements are aligned as their type", "[core]") {
 TEST_CASE("uninitialized: a value that is asked for is there", "[core]") {
   const glint::UninitializedVector<int> sevens(5, 7);
   CHECK(sevens == glint::UninitializedVector<int>{7, 7, 7, 7, 7});
+}
+
+TEST_CASE("uninitialized vector: a large one begins on a large page, and grows and shrinks like any other", "[core]") {
+  using Vector = glint::UninitializedVector<int>;
+  constexpr std::size_t page = Vector::allocator_type::large_page;
+  Vector v(4 * page / sizeof(int));
+  CHECK(reinterpret_cast<std::uintptr_t>(v.data()) % page == 0);
+  std::iota(v.begin(), v.end(), 0);
+  v.resize(2 * v.size());
+  CHECK(v[1'000'000] == 1'000'000);
+  v.resize(10);
+  v.shrink_to_fit();
+  CHECK(v == Vector{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
 }

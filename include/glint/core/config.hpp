@@ -29,3 +29,14 @@
 #define GLINT_NO_INLINE
 #endif
 #endif
+
+/// GLINT_LARGE_PAGES(address, bytes): asks the system to back memory by its large pages, of which a walk through a
+/// large tree touches far fewer. Does nothing where that is unknown.
+#ifndef GLINT_LARGE_PAGES
+#if defined(__linux__)
+#include <sys/mman.h>
+#define GLINT_LARGE_PAGES(address, bytes) static_cast<void>(::madvise(address, bytes, MADV_HUGEPAGE))
+#else
+#define GLINT_LARGE_PAGES(address, bytes) static_cast<void>(0)
+#endif
+#endif
