@@ -85,6 +85,7 @@ class EmbreeCaster {
     bytes_ += device.bytes();
   }
 
+  [[nodiscard]] RTCScene handle() const noexcept { return scene_.get(); }
   /// What the scene takes beside the mesh.
   [[nodiscard]] std::size_t bytes() const noexcept { return static_cast<std::size_t>(bytes_); }
 

@@ -54,15 +54,11 @@ struct Peers {
     const TbbExecutor executor(options.threads);
     const auto add = [&](const auto& ours) {
       if (!is_wanted(options, names.ours, ours.name)) return;
-      using Caster = decltype(ours.make(mesh.buffers, executor));
-      all.push_back(contender<Caster>(ours.name, ours.edges, ours.like,
-                                      std::make_shared<const Caster>(ours.make(mesh.buffers, executor))));
+      all.push_back(contender(ours, mesh.buffers, executor));
     };
     std::apply([&](const auto&... ours) { (add(ours), ...); }, our_layouts());
     for (const Theirs& theirs : their_settings()) {
-      if (!is_wanted(options, names.theirs, theirs.name)) continue;
-      all.push_back(contender<EmbreeCaster>(
-          theirs.name, theirs.edges, "", std::make_shared<const EmbreeCaster>(device, mesh.buffers, theirs.settings)));
+      if (is_wanted(options, names.theirs, theirs.name)) all.push_back(contender(theirs, mesh.buffers, device));
     }
     return all;
   }
@@ -85,8 +81,10 @@ struct Peers {
     }
     print_rates(mesh.name, all, measured);
     for (const Measured& one : measured) {
-      print_best(mesh.name, all, one, Edges::Watertight);
-      print_best(mesh.name, all, one, Edges::Fast);
+      for (const Call call : {Call::Single, Call::Batch}) {
+        print_best(mesh.name, all, one, call, Edges::Watertight);
+        print_best(mesh.name, all, one, call, Edges::Fast);
+      }
     }
     report_wrong(mesh.name, all, wrong_answers);
   }
@@ -164,7 +162,6 @@ struct Peers {
       measure_builds(mesh, Serial{}, 1);
       if (options.threads > 1) measure_builds(mesh, TbbExecutor(options.threads), options.threads);
     }
-    std::fflush(stdout);
   }
 };
 
@@ -215,6 +212,7 @@ void measure_all(Peers& peers) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // lines as they come, also into files
   Peers peers{parse_peer_options({argv + 1, argv + argc}), {}, 0};
   if (peers.options.help) {
     std::fputs(peer_help.data(), stdout);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <glint/core/index.hpp>
-#include <glint/geometry/hit.hpp>
+#include <glint/geometry/ray.hpp>
 #include <glint/math/constants.hpp>
 
 #include <peers/contenders.hpp>
@@ -24,7 +23,12 @@
 namespace glint::bench {
 
 using Contenders = std::vector<Contender>;
-using Answers = std::vector<Hit<float>>;
+
+/// Of one contender to all rays of a set: one or the other.
+struct Answers {
+  std::vector<MaybeHit> hits;
+  std::unique_ptr<bool[]> occluded;  ///< not std::vector<bool>, which has no spans
+};
 
 /// Seconds of each repetition, for each contender.
 using Times = std::vector<std::vector<double>>;
@@ -39,21 +43,29 @@ struct Measured {
   return !c.like.empty();
 }
 
+[[nodiscard]] inline double seconds_of_slice(const Contender& contender, const Measured& measured, Answers& answers,
+                                             std::size_t first, std::size_t count) {
+  const std::span<const Ray<float>> rays = std::span(measured.set.rays).subspan(first, count);
+  return seconds_of(CLOCK_THREAD_CPUTIME_ID, [&] {
+    if (measured.set.question == Question::Closest)
+      contender.closest(rays, std::span(answers.hits).subspan(first, count));
+    else
+      contender.occluded(rays, std::span(answers.occluded.get() + first, count));
+  });
+}
+
 /// All contenders answer all rays, a slice at a time, each slice by all of them before the next. Who begins changes
 /// from slice to slice, and so does the direction of the round.
 inline void run_once(const Contenders& contenders, Measured& measured, std::size_t repetition) {
-  const std::span<const Ray<float>> rays = measured.set.rays;
+  const std::size_t rays = measured.set.rays.size();
   const std::size_t slice = 1 << 14;
   const std::size_t n = contenders.size();
   for (std::vector<double>& times : measured.times) times.push_back(0);
-  for (std::size_t first = 0, turn = repetition; first < rays.size(); first += slice, ++turn) {
-    const std::size_t count = std::min(slice, rays.size() - first);
+  for (std::size_t first = 0, turn = repetition; first < rays; first += slice, ++turn) {
+    const std::size_t count = std::min(slice, rays - first);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t who = turn / n % 2 == 0 ? (turn + i) % n : (turn + n - i) % n;
-      const std::span answers = std::span(measured.answers[who]).subspan(first, count);
-      measured.times[who].back() += seconds_of(CLOCK_THREAD_CPUTIME_ID, [&] {
-        contenders[who].answer(measured.set.question, rays.subspan(first, count), answers);
-      });
+      measured.times[who].back() += seconds_of_slice(contenders[who], measured, measured.answers[who], first, count);
     }
   }
 }
@@ -61,7 +73,10 @@ inline void run_once(const Contenders& contenders, Measured& measured, std::size
 /// One repetition to warm up, then as many as take every contender long enough.
 [[nodiscard]] inline Measured run(const Contenders& contenders, RaySet set, bool quick) {
   Measured measured{std::move(set), Times(contenders.size()), {}};
-  measured.answers.assign(contenders.size(), Answers(measured.set.rays.size(), Hit<float>{.t = infinity<float>}));
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    const std::size_t rays = measured.set.rays.size();
+    measured.answers.push_back({std::vector<MaybeHit>(rays), std::make_unique<bool[]>(rays)});
+  }
   if (measured.set.rays.empty())
     throw std::runtime_error("no ray of the set '" + measured.set.name + "' starts anywhere");
   run_once(contenders, measured, 0);
@@ -89,25 +104,27 @@ inline void run_once(const Contenders& contenders, Measured& measured, std::size
   return 1e-6 * double(measured.set.rays.size()) / median(measured.times[contender]);
 }
 
+[[nodiscard]] inline bool same(const MaybeHit& a, const MaybeHit& b) {
+  if (!a || !b) return !a && !b;
+  return a->primitive == b->primitive && std::abs(a->t - b->t) <= 1e-5F * std::abs(a->t);
+}
+
 /// How many answers of each contender the judge finds wrong. It is asked where contenders disagree.
 inline void count_wrong(const Contenders& contenders, const Measured& measured, const Judge& judge,
                         std::vector<std::size_t>& wrong) {
   const RaySet& set = measured.set;
   const std::vector<Answers>& answers = measured.answers;
-  const auto same = [&](const Hit<float>& a, const Hit<float>& b) {
-    if (a.primitive != b.primitive) return false;
-    return set.question == Question::Occluded || a.t == b.t || std::abs(a.t - b.t) <= 1e-5F * std::abs(a.t);
-  };
+  const bool closest = set.question == Question::Closest;
   for (std::size_t i = 0; i < set.rays.size(); ++i) {
-    const auto agrees = [&](const Answers& other) { return same(answers[0][i], other[i]); };
+    const auto agrees = [&](const Answers& other) {
+      return closest ? same(answers[0].hits[i], other.hits[i]) : answers[0].occluded[i] == other.occluded[i];
+    };
     if (std::all_of(answers.begin(), answers.end(), agrees)) continue;
+    const Ray<float>& ray = set.rays[i];
     for (std::size_t who = 0; who < contenders.size(); ++who) {
-      const Hit<float>& hit = answers[who][i];
-      const bool met = hit.primitive != none<std::uint32_t>;
-      const bool right =
-          set.question == Question::Closest
-              ? judge.is_right(set.rays[i], met ? std::optional(hit) : std::nullopt)
-              : judge.is_right(set.rays[i], met, met ? contenders[who].witness(set.rays[i]) : std::nullopt);
+      const bool met = answers[who].occluded[i];
+      const bool right = closest ? judge.is_right(ray, answers[who].hits[i])
+                                 : judge.is_right(ray, met, met ? contenders[who].witness(ray) : std::nullopt);
       wrong[who] += right ? 0U : 1U;
     }
   }
