@@ -21,10 +21,6 @@ struct UninitializedAllocator : std::allocator<T> {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
   static constexpr std::size_t large_page = std::size_t{1} << 21;
 
-  template <typename U>
-  struct rebind {
-    using other = UninitializedAllocator<U>;
-  };
   UninitializedAllocator() = default;
   template <typename U>
   UninitializedAllocator(const UninitializedAllocator<U>& /*other*/) noexcept {}
