@@ -96,3 +96,13 @@ TEMPLATE_TEST_CASE("elements: a primitive that knows its error keeps it, and see
   REQUIRE(hit);
   CHECK(set.surface(ray, *hit) == surface(one[0], ray.at(hit->t), *hit));
 }
+
+TEMPLATE_TEST_CASE("elements: clip where their primitives do", "[geometry][elements]", float, double) {
+  using T = TestType;
+  STATIC_REQUIRE_FALSE(glint::ClippableSet<glint::Elements<user::Wall>>);
+  const std::array<glint::Triangle<T>, 1> one{{{{T(0), T(0), T(0)}, {T(4), T(0), T(0)}, {T(0), T(4), T(0)}}}};
+  const glint::Elements set{one};
+  STATIC_REQUIRE(glint::ClippableSet<decltype(set)>);
+  const glint::Aabb<T> cell{{T(0), T(3), T(0)}, {T(4), T(4), T(0)}};
+  CHECK(set.clip(0, cell) == clip(one[0], cell));
+}

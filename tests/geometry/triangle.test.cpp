@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include <glint/geometry/clip.hpp>
 #include <glint/geometry/concepts.hpp>
 
 #include <support/catch.hpp>
@@ -16,6 +17,7 @@ using glint::Triangle;
 using glint::Vec3;
 
 static_assert(glint::ShadablePrimitive<Triangle<float>> && glint::SampleablePrimitive<Triangle<double>>);
+static_assert(glint::ClippablePrimitive<Triangle<float>>);
 
 template <typename T>
 Triangle<T> example() {
@@ -32,6 +34,15 @@ TEMPLATE_TEST_CASE("triangle: has the area and the box of its vertices", "[geome
   CHECK(area(t) == Approx(double(T(6) * size * size)).epsilon(1e-6));
   CHECK(bounds(t) == glint::Aabb<T>{{size, T(0), T(0)}, {T(5) * size, T(3) * size, T(0)}});
   CHECK(area(Triangle<T>{t.v0, t.v0, t.v1}) == T(0));
+}
+
+TEMPLATE_TEST_CASE("triangle: has in a cell what its corners and the cell leave", "[geometry][triangle]", float,
+                   double) {
+  using T = TestType;
+  const glint::Aabb<T> cell{Vec3<T>(T(0)), {T(3), T(9), T(0)}};
+  const auto part = clip(example<T>(), cell);
+  CHECK(part == glint::clipped_bounds(std::array{example<T>().v0, example<T>().v1, example<T>().v2}, cell));
+  CHECK(part.upper == Vec3<T>{T(3), T(3), T(0)});
 }
 
 TEMPLATE_TEST_CASE("triangle: a hit's surface has the weights' position, uv, tangent and the winding's normal",

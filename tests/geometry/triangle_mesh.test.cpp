@@ -23,6 +23,7 @@ using glint::Vec2;
 using glint::Vec3;
 
 static_assert(glint::PreparedSet<TriangleMesh<float>> && glint::ShadableSet<TriangleMesh<float>>);
+static_assert(glint::ClippableSet<TriangleMesh<float>>);
 static_assert(glint::PreparedSet<TriangleMesh<double, std::uint16_t, glint::MoellerTrumbore>>);
 
 /// A square in the plane z = 0, of two triangles.
@@ -139,4 +140,12 @@ TEMPLATE_TEST_CASE("mesh: all triangles of a sphere face outward", "[geometry][t
     const auto s = surface_at(mesh.triangle(i), T(0.3), T(0.3));
     CHECK(glm::dot(s.normal, s.position) > T(0));
   }
+}
+
+TEMPLATE_TEST_CASE("mesh: a triangle is clipped as one that stands alone", "[geometry][triangle_mesh]", float, double) {
+  using T = TestType;
+  const MeshBuffers<T> buffers = square<T>();
+  const glint::Aabb<T> cell{{T(0), T(0), T(-1)}, {T(1), T(0.5), T(1)}};
+  CHECK(view(buffers).clip(0, cell) == clip(view(buffers).triangle(0), cell));
+  CHECK_FALSE(is_empty(view(buffers).clip(1, cell)));
 }

@@ -58,6 +58,15 @@ concept SampleablePrimitive = Primitive<P> && requires(const P& primitive, const
   { sample_area(primitive, u) } -> std::same_as<AreaSample<ScalarOf<P>>>;
 };
 
+/// A primitive that knows which part of it lies in a cell: a box that holds every point of the primitive in the cell,
+/// and what next to the cell a ray may hit by rounding. Builders then cut the primitive, not its box.
+///
+///     Aabb<T> clip(const P&, const Aabb<T>& cell);      // empty where there is nothing
+template <typename P>
+concept ClippablePrimitive = Primitive<P> && requires(const P& primitive, const Aabb<ScalarOf<P>>& cell) {
+  { clip(primitive, cell) } -> std::same_as<Aabb<ScalarOf<P>>>;
+};
+
 /// Boxes by index: all that a tree builder asks for.
 template <typename S>
 concept BoundedSet = requires(const S& set, typename S::Index i) {
@@ -65,6 +74,13 @@ concept BoundedSet = requires(const S& set, typename S::Index i) {
   typename S::Index;
   { set.size() } -> std::convertible_to<std::size_t>;
   { set.bounds(i) } -> std::same_as<Aabb<typename S::Scalar>>;
+};
+
+/// A set of clippable primitives: `clip(i, cell)` as in ClippablePrimitive.
+template <typename S>
+concept ClippableSet = BoundedSet<S> &&
+    requires(const S& set, typename S::Index i, const Aabb<typename S::Scalar>& cell) {
+  { set.clip(i, cell) } -> std::same_as<Aabb<typename S::Scalar>>;
 };
 
 /// Primitives by index. Returned hits carry the index in `primitive`.

@@ -21,6 +21,10 @@ template <typename P>
 [[nodiscard]] auto bounds_of(const P& primitive) {
   return bounds(primitive);
 }
+template <typename P, typename Box>
+[[nodiscard]] Box clip_of(const P& primitive, const Box& cell) {
+  return clip(primitive, cell);
+}
 template <std::floating_point T, typename P>
 [[nodiscard]] auto intersect_with(const Ray<T>& ray, const P& primitive) {
   return intersect(ray, primitive);
@@ -64,6 +68,10 @@ class Elements {
   [[nodiscard]] constexpr const P& operator[](Index i) const noexcept { return primitives_[i]; }
 
   [[nodiscard]] Aabb<Scalar> bounds(Index i) const { return detail::bounds_of(primitives_[i]); }
+
+  [[nodiscard]] Aabb<Scalar> clip(Index i, const Aabb<Scalar>& cell) const requires(ClippablePrimitive<P>) {
+    return detail::clip_of(primitives_[i], cell);
+  }
 
   [[nodiscard]] std::optional<Hit<Scalar, I>> intersect(const Ray<Scalar>& ray, Index i) const {
     const auto hit = detail::intersect_with(ray, primitives_[i]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <optional>
 
@@ -9,6 +10,7 @@
 
 #include <glint/core/config.hpp>
 #include <glint/geometry/aabb.hpp>
+#include <glint/geometry/clip.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_triangle.hpp>
@@ -37,6 +39,12 @@ template <std::floating_point T>
   extend(box, triangle.v1);
   extend(box, triangle.v2);
   return box;
+}
+
+/// The box of what the triangle has in a cell.
+template <std::floating_point T>
+[[nodiscard]] Aabb<T> clip(const Triangle<T>& triangle, const Aabb<T>& cell) noexcept {
+  return clipped_bounds(std::array{triangle.v0, triangle.v1, triangle.v2}, cell);
 }
 
 /// The crossing of the triangle, from either side; uv are the weights of v1 and v2.

@@ -10,6 +10,7 @@
 #include <glint/core/config.hpp>
 #include <glint/core/strided.hpp>
 #include <glint/geometry/aabb.hpp>
+#include <glint/geometry/clip.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/mesh_buffers.hpp>
 #include <glint/geometry/ray.hpp>
@@ -50,6 +51,8 @@ struct TriangleMesh {
     for (const Vec3<T>& vertex : vertices(i)) extend(box, vertex);
     return box;
   }
+
+  [[nodiscard]] Aabb<T> clip(Index i, const Aabb<T>& cell) const noexcept { return clipped_bounds(vertices(i), cell); }
 
   [[nodiscard]] auto prepare(const Ray<T>& ray) const noexcept { return intersector.prepare(ray); }
 

@@ -85,3 +85,16 @@ TEMPLATE_TEST_CASE("joined: a joined set can be joined again", "[geometry][joine
   CHECK(hit->primitive == 9);
   CHECK(hit->t == inner.intersect(ray, 4)->t);
 }
+
+TEMPLATE_TEST_CASE("joined: clips what its sets can, and cuts the boxes of the others", "[geometry][joined]", float,
+                   double) {
+  using T = TestType;
+  const auto four = glint::testing::tetrahedron<T>();
+  const std::vector<glint::Sphere<T>> spheres(1);
+  const glint::Joined set{glint::Elements{spheres}, view(four)};
+  STATIC_REQUIRE(glint::ClippableSet<decltype(set)>);
+  STATIC_REQUIRE_FALSE(glint::ClippableSet<glint::Joined<glint::Elements<glint::Sphere<T>>>>);
+  const glint::Aabb<T> cell{glint::Vec3<T>(T(-0.5)), glint::Vec3<T>(T(2))};
+  CHECK(set.clip(0, cell) == overlap(set.bounds(0), cell));
+  CHECK(set.clip(1, cell) == view(four).clip(0, cell));
+}

@@ -53,6 +53,17 @@ class Joined {
     return dispatch(i, []<std::size_t N>(Number<N>, const auto& set, auto local) { return set.bounds(local); });
   }
 
+  /// Of sets that cannot clip, the part of the box.
+  [[nodiscard]] Aabb<Scalar> clip(Index i, const Aabb<Scalar>& cell) const requires(ClippableSet<Sets> || ...) {
+    return dispatch(i, [&]<std::size_t N>(Number<N>, const auto& set, auto local) {
+      if constexpr (ClippableSet<std::remove_cvref_t<decltype(set)>>) {
+        return set.clip(local, cell);
+      } else {
+        return overlap(set.bounds(local), cell);
+      }
+    });
+  }
+
   /// What each set prepares, and nothing for those that prepare nothing.
   [[nodiscard]] auto prepare(const Ray<Scalar>& ray) const {
     return std::apply([&](const auto&... sets) { return std::make_tuple(prepare_one(sets, ray)...); }, sets_);
