@@ -25,7 +25,7 @@ struct BinaryNode {
 static_assert(sizeof(BinaryNode<float>) == 32);
 
 /// A hierarchy of boxes over somebody's primitives, which it knows by index alone: what builders make, passes improve
-/// and layouts transcode.
+/// and layouts transcode. Where a builder cuts primitives, the parts of one may be in several leaves.
 ///
 /// Laws: pass/validate.hpp.
 template <std::floating_point T, std::unsigned_integral I = std::uint32_t>

@@ -37,7 +37,8 @@ static_assert(Executor<Backwards>);
 
 /// The laws of BuilderFor, for one set: the tree is valid, and the same for every executor and every time.
 ///
-/// Pass sets of all kinds: none, one, equal ones, ones without a box, tens of thousands so that work is cut.
+/// Pass sets of all kinds: none, one, equal ones, ones without a box, tens of thousands so that work is cut; for
+/// builders that cut primitives, a ClippableSet too.
 template <BoundedSet S, BuilderFor<S> Builder>
 [[nodiscard]] std::vector<std::string> violations_of_builder_laws(const Builder& builder, const S& set) {
   const auto tree = builder.build(set, Serial{});

@@ -22,6 +22,7 @@ TEMPLATE_TEST_CASE("statistics: agree with a tree counted by hand", "[bvh][pass]
   CHECK(s.nodes == 3);
   CHECK(s.leaves == 2);
   CHECK(s.primitives == 3);
+  CHECK(s.references == 3);
   CHECK(s.left_out == 7);
   CHECK(s.depth == 1);
   CHECK(s.leaf_sizes == std::vector<std::size_t>{0, 1, 1});
@@ -39,4 +40,12 @@ TEST_CASE("statistics: a root without area costs every node", "[bvh][pass]") {
   tree.nodes = {{{{1, 1, 1}, {1, 1, 1}}, 1, 0}, {{{1, 1, 1}, {1, 1, 1}}, 0, 2}, {{{1, 1, 1}, {1, 1, 1}}, 2, 1}};
   tree.order = {0, 1, 2};
   CHECK(statistics(tree).sah_cost == 1 + 2 + 1);
+}
+
+TEST_CASE("statistics: a primitive in several leaves is one primitive and several references", "[bvh][pass]") {
+  Tree<float> tree;
+  tree.nodes = {{{{0, 0, 0}, {2, 1, 1}}, 1, 0}, {{{0, 0, 0}, {1, 1, 1}}, 0, 2}, {{{1, 0, 0}, {2, 1, 1}}, 2, 1}};
+  tree.order = {0, 5, 5};
+  CHECK(statistics(tree).primitives == 2);
+  CHECK(statistics(tree).references == 3);
 }

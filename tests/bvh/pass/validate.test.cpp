@@ -7,6 +7,8 @@
 #include <glint/bvh/tree.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/boxes.hpp>
+#include <glint/geometry/elements.hpp>
+#include <glint/geometry/triangle.hpp>
 
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
@@ -59,4 +61,43 @@ TEST_CASE("validate: a tree deeper than traversals can bear is refused", "[bvh][
   tree.order.push_back(depth);
   tree.depth = int(depth);
   CHECK_FALSE(violations(tree, Boxes{boxes}).empty());
+}
+
+namespace {
+
+/// A root over two leaves with one slot each, both of the first primitive.
+Tree<float> two_leaves_of(const glint::Aabb<float>& left, const glint::Aabb<float>& right) {
+  Tree<float> tree;
+  tree.nodes = {{join(left, right), 1, 0}, {left, 0, 1}, {right, 1, 1}};
+  tree.order = {0, 0};
+  tree.depth = 1;
+  return tree;
+}
+
+}  // namespace
+
+TEST_CASE("validate: the leaves of a primitive that was cut hold all of it together", "[bvh][pass]") {
+  const std::vector<glint::Aabb<float>> boxes{{{0, 0, 0}, {4, 1, 1}}};
+  const Boxes set{boxes};
+  const auto valid = [&](const glint::Aabb<float>& left, const glint::Aabb<float>& right) {
+    return violations(two_leaves_of(left, right), set).empty();
+  };
+  CHECK(valid({{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {4, 1, 1}}));
+  CHECK_FALSE(valid({{0, 0, 0}, {3, 1, 1}}, {{-2, -2, -2}, {1, 1, 0.5F}}));  // right of 3 there is nothing
+  CHECK(valid({{-1, -1, -1}, {3, 1, 1}}, {{2, 0, 0}, {5, 5, 5}}));
+  CHECK_FALSE(valid({{0, 0, 0}, {1, 1, 1}}, {{1.5F, 0, 0}, {4, 1, 1}}));  // a gap
+  CHECK_FALSE(valid({{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {4, 1, 0.9F}}));  // a corner is missing
+  CHECK_FALSE(valid({{0, 0, 0}, {4, 1, 1}}, {{5, 0, 0}, {6, 1, 1}}));     // a leaf that it does not reach
+}
+
+TEST_CASE("validate: where a set clips, leaves need to hold no more than the parts", "[bvh][pass]") {
+  const std::vector<glint::Triangle<float>> triangles{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}};  // y ≤ x
+  const glint::Elements set{triangles};
+  const auto valid = [&](const glint::Aabb<float>& left, const glint::Aabb<float>& right) {
+    return violations(two_leaves_of(left, right), set).empty();
+  };
+  CHECK(valid({{0, 0, 0}, {2, 2, 0}}, {{2, 0, 0}, {4, 4, 0}}));
+  CHECK(valid({{0, 0, 0}, {1, 1, 0}}, {{1, 0, 0}, {4, 4, 0}}));
+  CHECK_FALSE(valid({{0, 0, 0}, {2, 1.9F, 0}}, {{2, 0, 0}, {4, 4, 0}}));
+  CHECK_FALSE(valid({{0, 0, 0}, {2, 2, 0}}, {{2, 0.1F, 0}, {4, 4, 0}}));
 }

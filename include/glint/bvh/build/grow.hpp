@@ -31,19 +31,20 @@ namespace glint::detail {
 template <std::floating_point T, std::unsigned_integral I, typename Splitter, typename Executor>
 class Grower {
  public:
-  Grower(Splitter& splitter, const Executor& executor, std::size_t count, std::size_t max_leaf_size, int max_depth)
+  Grower(Splitter& splitter, const Executor& executor, const Part<T>& root, std::size_t max_leaf_size, int max_depth)
       : splitter_(splitter),
         executor_(executor),
         max_depth_(std::clamp(max_depth, 0, Tree<T, I>::max_depth)),
-        leaf_(std::max(std::max<std::size_t>(max_leaf_size, 1), shifted_up(count, max_depth_))),
-        nodes_(new Node[2 * count - 1]),  // not initialized: pages that stay unused cost nothing
-        order_(count) {}
+        leaf_(std::max(std::max<std::size_t>(max_leaf_size, 1), shifted_up(root.count, max_depth_))),
+        root_(root),
+        nodes_(new Node[2 * (root.count + root.spare) - 1]),  // not initialized: unused pages cost nothing
+        order_(root.count + root.spare) {}
 
   [[nodiscard]] std::size_t max_leaf_size() const noexcept { return leaf_; }
 
-  /// Requires: called once; the part is not empty.
-  [[nodiscard]] Tree<T, I> grow(const Part<T>& root) && {
-    grow(root, 0, 0);
+  /// Requires: called once; the root is not empty.
+  [[nodiscard]] Tree<T, I> grow() && {
+    grow(root_, 0, 0);
     return numbered();
   }
 
@@ -80,10 +81,11 @@ class Grower {
     right();
   }
 
-  /// Threads took nodes as they came; the tree numbers them depth first, which is also good for caches.
+  /// Threads took nodes as they came; the tree numbers them depth first, which is also good for caches. The slots of
+  /// the leaves, in that order, move together over those that were spared.
   [[nodiscard]] Tree<T, I> numbered() {
     Tree<T, I> tree;
-    tree.order = std::move(order_);
+    std::size_t slots = 0;
     tree.nodes.reserve(used_);
     tree.nodes.push_back(node(0));
     struct Pending {
@@ -95,7 +97,10 @@ class Grower {
       const auto [at, depth] = pending.back();
       pending.pop_back();
       tree.depth = std::max(tree.depth, depth);
-      if (tree.nodes[at].is_leaf()) continue;
+      if (tree.nodes[at].is_leaf()) {
+        slots = moved_to(slots, tree.nodes[at]);
+        continue;
+      }
       const std::size_t children = tree.nodes[at].first;
       const std::size_t first = tree.nodes.size();
       tree.nodes[at].first = I(first);
@@ -104,7 +109,16 @@ class Grower {
       pending.push_back({first + 1, depth + 1});
       pending.push_back({first, depth + 1});
     }
+    order_.resize(slots);
+    tree.order = std::move(order_);
     return tree;
+  }
+  /// Moves the slots of a leaf down to begin at `first`; where they end then.
+  std::size_t moved_to(std::size_t first, BinaryNode<T, I>& leaf) noexcept {
+    if (leaf.first != first)
+      std::copy_n(order_.begin() + std::ptrdiff_t(leaf.first), leaf.count, order_.begin() + std::ptrdiff_t(first));
+    leaf.first = I(first);
+    return first + leaf.count;
   }
   [[nodiscard]] BinaryNode<T, I> node(std::size_t i) const noexcept {
     const Node& n = nodes_[i];
@@ -115,12 +129,14 @@ class Grower {
   const Executor& executor_;
   int max_depth_;
   std::size_t leaf_;
+  Part<T> root_;
   std::unique_ptr<Node[]> nodes_;
   std::vector<I> order_;
   std::atomic<std::size_t> used_{1};
 };
 
-/// A tree over a set, by references that `make_splitter(references, root, max_leaf_size)` knows how to split.
+/// A tree over a set, by references that a splitter, `make_splitter(references, root)`, knows how to split. It
+/// may append slots to spare to the references.
 template <BoundedSet S, typename Executor, typename MakeSplitter>
 [[nodiscard]] Tree<typename S::Scalar, typename S::Index> grow_tree(const S& set, const Executor& executor,
                                                                     const MakeSplitter& make_splitter,
@@ -131,11 +147,12 @@ template <BoundedSet S, typename Executor, typename MakeSplitter>
   const std::size_t left_out = set.size() - references.size();
   Tree<T, I> tree;
   if (!references.empty()) {
-    const Part<T> root = whole<T>(references, executor);
-    auto splitter = make_splitter(references);
-    Grower<T, I, decltype(splitter), Executor> grower(splitter, executor, root.count, max_leaf_size, max_depth);
+    Part<T> root = whole<T>(references, executor);
+    auto splitter = make_splitter(references, root);
+    root.spare = references.size() - root.count;
+    Grower<T, I, decltype(splitter), Executor> grower(splitter, executor, root, max_leaf_size, max_depth);
     splitter.max_leaf_size = grower.max_leaf_size();
-    tree = std::move(grower).grow(root);
+    tree = std::move(grower).grow();
   }
   tree.left_out = left_out;
   return tree;

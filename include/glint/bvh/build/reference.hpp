@@ -20,11 +20,23 @@
 
 namespace glint::detail {
 
-/// A box in two registers; the fourth lane is nobody's.
+/// A box in two registers; the fourth lane is nobody's. What builders compare is fenced, so that no tree depends on
+/// how a compiler fuses in the code it makes for an executor.
 template <std::floating_point T>
 struct PackedBox {
   Pack<T, 4> lower;
   Pack<T, 4> upper;
+
+  PackedBox() = default;
+  PackedBox(const Pack<T, 4>& low, const Pack<T, 4>& high) noexcept : lower(low), upper(high) {}
+  explicit PackedBox(const Aabb<T>& box) noexcept {
+    lower = Pack<T, 4>::broadcast(T(0));
+    upper = lower;
+    for (int axis = 0; axis < 3; ++axis) {
+      lower.set(axis, component(box.lower, axis));
+      upper.set(axis, component(box.upper, axis));
+    }
+  }
 
   [[nodiscard]] GLINT_ALWAYS_INLINE static PackedBox empty() noexcept {
     return {Pack<T, 4>::broadcast(infinity<T>), Pack<T, 4>::broadcast(-infinity<T>)};
@@ -38,10 +50,13 @@ struct PackedBox {
   [[nodiscard]] Aabb<T> box() const noexcept {
     return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
   }
+  [[nodiscard]] GLINT_ALWAYS_INLINE bool contains(const PackedBox& other) const noexcept {
+    return ((less(other.lower, lower) | less(upper, other.upper)) & 7U) == 0;
+  }
   /// Zero for an empty box.
   [[nodiscard]] GLINT_ALWAYS_INLINE T half_area() const noexcept {
     const Pack<T, 4> e = max(upper - lower, Pack<T, 4>::broadcast(T(0)));
-    return e[0] * (e[1] + e[2]) + e[1] * e[2];
+    return fenced(e[0] * (e[1] + e[2])) + fenced(e[1] * e[2]);
   }
 };
 
@@ -61,12 +76,16 @@ struct Reference {
     upper = Pack<T, 4>::load(high.data());
   }
   [[nodiscard]] std::size_t index() const noexcept { return std::size_t(std::bit_cast<Bits>(lower[3])); }
-  /// Half of each corner first, so that boxes near the largest number have a center. The fourth lane is zero.
-  [[nodiscard]] GLINT_ALWAYS_INLINE Pack<T, 4> center() const noexcept {
+  /// The lower corner, with zero in the fourth lane.
+  [[nodiscard]] GLINT_ALWAYS_INLINE Pack<T, 4> corner() const noexcept {
     Pack<T, 4> low = lower;
     low.set(3, T(0));
+    return low;
+  }
+  /// Half of each corner first, so that boxes near the largest number have a center. The fourth lane is zero.
+  [[nodiscard]] GLINT_ALWAYS_INLINE Pack<T, 4> center() const noexcept {
     const Pack<T, 4> half = Pack<T, 4>::broadcast(T(0.5));
-    return low * half + upper * half;
+    return corner() * half + upper * half;
   }
   [[nodiscard]] GLINT_ALWAYS_INLINE T center(int axis) const noexcept {
     return lower[axis] * T(0.5) + upper[axis] * T(0.5);
@@ -78,6 +97,7 @@ template <std::floating_point T>
 struct Part {
   std::size_t first = 0;
   std::size_t count = 0;
+  std::size_t spare = 0;  ///< slots after its own, for those that splitting planes add
   PackedBox<T> box = PackedBox<T>::empty();
   PackedBox<T> centers = PackedBox<T>::empty();
   bool in_scratch = false;  ///< the references lie in the second of a builder's two arrays

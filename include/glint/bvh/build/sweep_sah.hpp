@@ -172,7 +172,10 @@ template <BoundedSet S, Executor E>
 Tree<typename S::Scalar, typename S::Index> SweepSah::build(const S& set, const E& executor) const {
   using T = typename S::Scalar;
   return detail::grow_tree(
-      set, executor, [&](std::vector<detail::Reference<T>>& r) { return detail::SweepSplitter<T>(*this, r, executor); },
+      set, executor,
+      [&](std::vector<detail::Reference<T>>& r, const auto& /*root*/) {
+        return detail::SweepSplitter<T>(*this, r, executor);
+      },
       max_leaf_size, max_depth);
 }
 
