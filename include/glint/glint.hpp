@@ -34,13 +34,17 @@
 #include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>
 #include <glint/bvh/leaves.hpp>
+#include <glint/bvh/packet_leaves.hpp>
+#include <glint/bvh/packet_traverse.hpp>
 #include <glint/bvh/pass/depth_first.hpp>
 #include <glint/bvh/pass/merge_leaves.hpp>
 #include <glint/bvh/pass/refit.hpp>
 #include <glint/bvh/pass/reinsert.hpp>
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/pass/validate.hpp>
+#include <glint/bvh/query/packet.hpp>
 #include <glint/bvh/query/ray.hpp>
+#include <glint/bvh/ray_batch.hpp>
 #include <glint/bvh/traverse.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/camera/concepts.hpp>
@@ -77,6 +81,7 @@
 #include <glint/geometry/quad.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_box.hpp>
+#include <glint/geometry/ray_packet.hpp>
 #include <glint/geometry/ray_triangle.hpp>
 #include <glint/geometry/ray_triangle_pack.hpp>
 #include <glint/geometry/set/joined.hpp>

@@ -6,6 +6,11 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <vector>
+
+#include <glint/geometry/ray_packet.hpp>
+#include <glint/math/constants.hpp>
+#include <glint/math/vec.hpp>
 
 #include <support/catch.hpp>
 
@@ -99,7 +104,61 @@ Counts compare() {
   return counts;
 }
 
+/// Many rays at one of four triangles.
+template <typename Test, typename T>
+Counts compare_rays() {
+  using Rays = glint::RayPacket<T>;
+  using Kept = PackedTest<Test, T, 4>;
+  using Packed = PackedTest<Test, T, Rays::size>;
+  Counts counts;
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::array<Corners<T>, 4> all;
+    for (Corners<T>& v : all) {
+      do v = any_triangle<T>(random);
+      while (glint::is_degenerate(v[0], v[1], v[2]));
+    }
+    const int lane = int(random() % 4);
+    const Corners<T>& v = all[std::size_t(lane)];
+    std::vector<Ray<T>> rays;
+    while (rays.size() < 9) {  // with one longest axis, and intervals of their own
+      const Ray<T> ray = any_ray(random, v);
+      if (glint::max_axis(glint::abs(ray.direction)) == trial % 3) rays.push_back(ray);
+    }
+    const Rays packet(rays);
+    const auto prepared = Packed::prepare(packet);
+    const auto kept = Kept::triangles([&](int i, int axis) {
+      return Pack<T, 4>::generate([&](int k) { return glint::component(all[std::size_t(k)][std::size_t(i)], axis); });
+    });
+    const auto one = Packed::cross_one(kept, lane, prepared, glint::infinity<T>);
+    for (int i = 0; i < int(rays.size()); ++i) {
+      Ray<T> endless = rays[std::size_t(i)];
+      endless.t_max = glint::infinity<T>;
+      const auto expected = Test::intersect(endless, Test::prepare(endless), v[0], v[1], v[2]);
+      const bool hit = ((one.hit >> i) & 1U) != 0;
+      const bool tied = ((one.tied >> i) & 1U) != 0;
+      ++(tied ? counts.tied : hit ? counts.hits : counts.misses);
+      if (tied) continue;
+      counts.wrong += hit != expected.has_value();
+      if (!hit || !expected) continue;
+      const T scale = T(1) / one.det[i];
+      counts.wrong += one.t[i] != expected->t || one.w1[i] * scale != expected->uv.x ||
+                      one.w2[i] * scale != expected->uv.y;  // to the last bit
+    }
+  }
+  return counts;
+}
+
 }  // namespace
+
+TEMPLATE_TEST_CASE("triangle packs: many rays hit one triangle as each by itself would, to the last bit",
+                   "[geometry][ray_triangle]", (Tested<MoellerTrumbore, float>), (Tested<MoellerTrumbore, double>),
+                   (Tested<Watertight, float>), (Tested<Watertight, double>)) {
+  const Counts counts = compare_rays<typename TestType::Intersector, typename TestType::T>();
+  CHECK(counts.wrong == 0);
+  CHECK(counts.hits > 1000);
+  CHECK(counts.misses > 1000);
+}
 
 TEMPLATE_TEST_CASE("triangle packs: every lane is hit as the triangle by itself would be, to the last bit",
                    "[geometry][ray_triangle]", (Tested<MoellerTrumbore, float>), (Tested<MoellerTrumbore, double>),

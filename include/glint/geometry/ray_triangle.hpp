@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <optional>
 
 #include <glint/core/config.hpp>
@@ -101,11 +103,15 @@ struct Watertight {
 
   template <std::floating_point T>
   [[nodiscard]] static Prepared<T> prepare(const Ray<T>& ray) noexcept {
-    const int z = max_axis(abs(ray.direction));
-    const int x = z == 2 ? 0 : z + 1;
-    const int y = x == 2 ? 0 : x + 1;
-    const T scale = T(1) / component(ray.direction, z);
-    return {x, y, z, component(ray.direction, x) * scale, component(ray.direction, y) * scale, scale};
+    const Vec3<T> size = abs(ray.direction);
+    const std::array<T, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
+    const std::array<T, 3> inverse{T(1) / d[0], T(1) / d[1], T(1) / d[2]};  // all, so that the choice comes last
+    constexpr std::array<std::size_t, 5> axes{0, 1, 2, 0, 1};
+    const auto row = std::size_t(size.y > size.x);
+    const std::size_t z = size.z > std::max(size.x, size.y) ? 2 : row;
+    const std::size_t x = axes[z + 1];
+    const std::size_t y = axes[z + 2];
+    return {int(x), int(y), int(z), d[x] * inverse[z], d[y] * inverse[z], inverse[z]};
   }
 
   template <std::floating_point T>

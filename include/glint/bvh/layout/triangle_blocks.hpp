@@ -14,6 +14,7 @@
 
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/leaves.hpp>
+#include <glint/bvh/packet_leaves.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
@@ -21,9 +22,11 @@
 #include <glint/core/uninitialized.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
+#include <glint/geometry/ray_packet.hpp>
 #include <glint/geometry/ray_triangle.hpp>
 #include <glint/geometry/ray_triangle_pack.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
+#include <glint/math/constants.hpp>
 #include <glint/math/vec.hpp>
 #include <glint/simd/pack.hpp>
 
@@ -38,6 +41,7 @@ class alignas(8 * sizeof(T)) CopiedBlock {
   using Mesh = TriangleMesh<T, V, Intersector>;
   using Index = typename Mesh::Index;
   using Test = PackedTest<Intersector, T, N>;
+  using RaysTest = PackedTest<Intersector, T, RayPacket<T>::size>;
 
   CopiedBlock() = default;
   /// Requires: 1 to N primitives.
@@ -64,6 +68,11 @@ class alignas(8 * sizeof(T)) CopiedBlock {
                                                T t_max) const noexcept {
     return Test::cross(triangles_, ray, t_max);
   }
+  /// One triangle, many rays.
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& /*mesh*/, int lane,
+                                               const typename RaysTest::Prepared& rays) const noexcept {
+    return RaysTest::cross_one(triangles_, lane, rays, infinity<T>);
+  }
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
 
  private:
@@ -79,6 +88,7 @@ class IndexedBlock {
   using Mesh = TriangleMesh<T, V, Intersector>;
   using Index = typename Mesh::Index;
   using Test = PackedTest<Intersector, T, N>;
+  using RaysTest = PackedTest<Intersector, T, RayPacket<T>::size>;
 
   IndexedBlock() = default;
   /// Requires: 1 to N primitives.
@@ -112,6 +122,15 @@ class IndexedBlock {
       });
     };
     return Test::cross_at(vertex, ray, t_max);
+  }
+  /// One triangle, many rays.
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& mesh, int lane,
+                                               const typename RaysTest::Prepared& rays) const noexcept {
+    const std::array<Vec3<T>, 3> v = mesh.vertices(primitive(lane));
+    const auto vertex = [&](int i, int axis) {
+      return RayPacket<T>::Lanes::broadcast(component(v[std::size_t(i)], axis));
+    };
+    return RaysTest::cross_at(vertex, rays, infinity<T>);
   }
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
 
@@ -193,6 +212,38 @@ class TriangleBlocks {
     return false;
   }
 
+  using RaysPrepared = typename Block::RaysTest::Prepared;
+  [[nodiscard]] GLINT_ALWAYS_INLINE RaysPrepared prepare(const Mesh& /*mesh*/,
+                                                         const RayPacket<T>& packet) const noexcept {
+    return Block::RaysTest::prepare(packet);
+  }
+  GLINT_ALWAYS_INLINE std::uint32_t closest(const Mesh& mesh, const RayPacket<T>& packet, const RaysPrepared& prepared,
+                                            Slots<Index> slots, std::uint32_t asked,
+                                            PacketHits<T, Index>& best) const noexcept {
+    std::uint32_t improved = 0;
+    const auto visit = [&](Index primitive, const auto& c) {
+      improved |= detail::take_closer(c, c.hit & asked & less_equal(c.t, best.t), primitive, best);
+      const std::uint32_t tied = c.tied & asked;
+      if (tied != 0) improved |= detail::closest_of_rays(tied, mesh, packet, primitive, best);
+      return asked;
+    };
+    for_each_triangle(mesh, prepared, slots, visit);
+    return improved;
+  }
+  [[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t occluded(const Mesh& mesh, const RayPacket<T>& packet,
+                                                           const RaysPrepared& prepared, Slots<Index> slots,
+                                                           std::uint32_t asked) const noexcept {
+    std::uint32_t found = 0;
+    const auto visit = [&](Index primitive, const auto& c) {
+      found |= c.hit & asked & less_equal(c.t, packet.t_max);
+      const std::uint32_t tied = c.tied & asked & ~found;
+      if (tied != 0) found |= detail::occluded_of_rays(tied, mesh, packet, primitive);
+      return asked & ~found;
+    };
+    for_each_triangle(mesh, prepared, slots, visit);
+    return found;
+  }
+
   [[nodiscard]] std::size_t bytes() const noexcept { return blocks_.size() * sizeof(Block); }
 
  private:
@@ -222,6 +273,19 @@ class TriangleBlocks {
       improved = true;
     }
     return improved;
+  }
+
+  /// Until `visit` says that no ray asks any more.
+  template <typename Visit>
+  GLINT_ALWAYS_INLINE void for_each_triangle(const Mesh& mesh, const RaysPrepared& prepared, Slots<Index> slots,
+                                             const Visit& visit) const noexcept {
+    for (std::size_t i = slots.first; i != std::size_t(slots.first) + slots.count; ++i) {
+      const Block& block = blocks_[i];
+      for (int lane = 0; lane < N; ++lane) {
+        if (block.primitive(lane) == none<Index>) continue;
+        if (visit(block.primitive(lane), block.cross(mesh, lane, prepared)) == 0) return;
+      }
+    }
   }
 
   UninitializedVector<Block> blocks_;

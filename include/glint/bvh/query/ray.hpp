@@ -80,11 +80,11 @@ class RayQuery {
   template <typename Boxes>
   [[nodiscard]] GLINT_ALWAYS_INLINE Entered<T, N> enter(const Boxes& boxes) const noexcept {
     const auto entry = [&](std::size_t axis) { return boxes.plane(entry_plane_[axis]) * scale_[axis] + offset_[axis]; };
-    const auto exit = [&](std::size_t axis) {
+    const auto departure = [&](std::size_t axis) {
       return boxes.plane(2 * axis + 3 - entry_plane_[axis]) * scale_[axis + 3] + offset_[axis + 3];
     };
     const P first = max(max(entry(0), entry(1)), max(entry(2), t_min_));
-    const P last = min(min(exit(0), exit(1)), min(exit(2), limits_));
+    const P last = min(min(departure(0), departure(1)), min(departure(2), limits_));
     return {less_equal(first, last), first};
   }
   /// Just beyond the ray's end.
