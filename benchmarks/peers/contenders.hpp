@@ -12,6 +12,8 @@
 #include <vector>
 
 #include <glint/bvh/build/quality.hpp>
+#include <glint/bvh/build/spatial_sah.hpp>
+#include <glint/bvh/bvh.hpp>
 #include <glint/bvh/layout/quantized.hpp>
 #include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>
@@ -46,6 +48,11 @@ struct Ours {
 template <typename Make>
 Ours(const char*, Edges, const char*, Call, Make) -> Ours<Make>;
 
+template <typename Set, typename Executor>
+[[nodiscard]] auto with_spatial_splits(const Set& set, const Executor& executor) {
+  return Bvh(set, SpatialSah{.block_size = Bvh<Set>::Leaves::block_size}, executor);
+}
+
 /// Our trees, measured with rays.
 [[nodiscard]] inline auto our_layouts() {
   return std::tuple{
@@ -56,6 +63,12 @@ Ours(const char*, Edges, const char*, Call, Make) -> Ours<Make>;
       Ours{"wide8-best-fast", Edges::Fast, "high", Call::Single,
            [](const auto& mesh, const auto& executor) {
              return build(view<MoellerTrumbore>(mesh), Quality::Best, executor);
+           }},
+      Ours{"wide8-spatial", Edges::Watertight, "high", Call::Single,
+           [](const auto& mesh, const auto& executor) { return with_spatial_splits(view(mesh), executor); }},
+      Ours{"wide8-spatial-fast", Edges::Fast, "high", Call::Single,
+           [](const auto& mesh, const auto& executor) {
+             return with_spatial_splits(view<MoellerTrumbore>(mesh), executor);
            }},
       Ours{"wide8-indexed", Edges::Watertight, "medium", Call::Single,
            [](const auto& mesh, const auto& executor) {
@@ -79,6 +92,8 @@ Ours(const char*, Edges, const char*, Call, Make) -> Ours<Make>;
            [](const auto& mesh, const auto& executor) { return build(view(mesh), Quality::Balanced, executor); }},
       Ours{"best", Edges::Watertight, "high", Call::Single,
            [](const auto& mesh, const auto& executor) { return build(view(mesh), Quality::Best, executor); }},
+      Ours{"spatial", Edges::Watertight, "high", Call::Single,
+           [](const auto& mesh, const auto& executor) { return with_spatial_splits(view(mesh), executor); }},
   };
 }
 
