@@ -37,7 +37,7 @@ namespace glint {
 struct Morton {
   float traversal_cost = 0.7F;  ///< of visiting an inner node …
   float intersection_cost = 1;  ///< … against testing a primitive
-  std::size_t block_size = 4;   ///< primitives that a leaf tests at the price of one: TriangleBlocks takes 4
+  std::size_t block_size = 4;   ///< primitives that a leaf tests at the price of one: a Bvh's Leaves::block_size
   std::size_t max_leaf_size = 8;
   int max_depth = 64;  ///< clamped to 0 … Tree::max_depth
 

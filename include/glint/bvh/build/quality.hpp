@@ -5,6 +5,7 @@
 
 #include <glint/bvh/build/binned_sah.hpp>
 #include <glint/bvh/build/morton.hpp>
+#include <glint/bvh/build/spatial_sah.hpp>
 #include <glint/bvh/bvh.hpp>
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/layout/wide.hpp>
@@ -25,19 +26,19 @@ enum class Quality {
 
 /// The builder, and the passes after it, that suit a quality.
 ///
-/// Cost:    Fast takes about a third of the time of Balanced, for rays that take about a tenth longer; Best up to twice
-///          the time of Balanced.
+/// Cost:    Fast takes about a third of the time of Balanced, for rays that take about a tenth longer; Best two to five
+///          times the time of Balanced, the more the more boxes overlap.
 /// Threads: the same tree for every executor.
 struct QualityBuilder {
   Quality quality = Quality::Balanced;
-  std::size_t block_size = 4;  ///< primitives that a leaf tests at the price of one: TriangleBlocks takes 4
+  std::size_t block_size = 4;  ///< primitives that a leaf tests at the price of one: a Bvh's Leaves::block_size
 
   template <BoundedSet S, Executor E = Serial>
   [[nodiscard]] Tree<typename S::Scalar, typename S::Index> build(const S& set, const E& executor = {}) const {
     if (quality == Quality::Fast) return Morton{.block_size = block_size}.build(set, executor);
-    auto tree = BinnedSah{.block_size = block_size}.build(set, executor);
-    if (quality == Quality::Balanced) return tree;
-    return merge_leaves(reinsert(tree, {}, executor), {.block_size = block_size});
+    if (quality == Quality::Balanced) return BinnedSah{.block_size = block_size}.build(set, executor);
+    return merge_leaves(reinsert(SpatialSah{.block_size = block_size}.build(set, executor), {}, executor),
+                        {.block_size = block_size});
   }
 };
 

@@ -18,8 +18,8 @@
 
 namespace glint {
 
-/// How long to look for better places. The defaults take a fifth off the cost of a room of furniture and next to
-/// nothing off a scanned statue, whose first tree is as good; neither takes longer than building the tree.
+/// How long to look for better places. The defaults take a tenth off the cost of halls and forests and next to nothing
+/// off a scanned statue, whose first tree is as good, for about the time that BinnedSah takes.
 struct Reinsertion {
   float batch = 0.1F;  ///< the share of the nodes that are tried in a round, the most wasteful ones
   int rounds = 10;
