@@ -22,7 +22,7 @@ namespace glint::detail {
 
 /// A box in two registers; the fourth lane is nobody's. What builders compare is fenced, so that no tree depends on
 /// how a compiler fuses in the code it makes for an executor.
-template <std::floating_point T>
+template <std::floating_point T, int W = Pack<T, 4>::width>
 struct PackedBox {
   Pack<T, 4> lower;
   Pack<T, 4> upper;
@@ -61,7 +61,7 @@ struct PackedBox {
 };
 
 /// A primitive as builders move it about: its box, and its index in the bits of the lower corner's fourth lane.
-template <std::floating_point T>
+template <std::floating_point T, int W = Pack<T, 4>::width>
 struct Reference {
   using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
 
@@ -93,7 +93,7 @@ struct Reference {
 };
 
 /// A run of references, which becomes a leaf of these slots or is split.
-template <std::floating_point T>
+template <std::floating_point T, int W = Pack<T, 4>::width>
 struct Part {
   std::size_t first = 0;
   std::size_t count = 0;

@@ -57,7 +57,8 @@ class BinaryNodes {
 };
 
 /// Names the layout, and the leaves that go with it: `Bvh{mesh, BinnedSah{}, binary}`.
-template <typename LeafChoice = DefaultLeaves>
+/// `Lanes` tells units apart that are built for different registers: what they make has names of its own.
+template <typename LeafChoice = DefaultLeaves, int Lanes = register_lanes<float>>
 struct BinaryLayout {
   using Leaves = LeafChoice;
   template <std::floating_point T, std::unsigned_integral I>

@@ -206,7 +206,8 @@ class QuantizedNodes {
 };
 
 /// Names the layout, and the leaves that go with it: `Bvh{mesh, BinnedSah{}, quantized<8>}`. Both are small.
-template <int N, typename LeafChoice = IndexedBlocks<4>>
+/// `Lanes` tells units apart that are built for different registers: what they make has names of its own.
+template <int N, typename LeafChoice = IndexedBlocks<4>, int Lanes = register_lanes<float>>
 struct QuantizedLayout {
   using Leaves = LeafChoice;
   template <std::floating_point T, std::unsigned_integral I>

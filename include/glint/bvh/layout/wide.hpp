@@ -75,7 +75,8 @@ class WideNodes {
 };
 
 /// Names the layout, and the leaves that go with it: `Bvh{mesh, BinnedSah{}, wide<8, IndexedBlocks<4>>}`.
-template <int N, typename LeafChoice = DefaultLeaves>
+/// `Lanes` tells units apart that are built for different registers: what they make has names of its own.
+template <int N, typename LeafChoice = DefaultLeaves, int Lanes = register_lanes<float>>
 struct WideLayout {
   using Leaves = LeafChoice;
   template <std::floating_point T, std::unsigned_integral I>

@@ -44,7 +44,8 @@ struct RayReach {
 ///          the interval by the rounding of its own t. Parallel rays are cut off beside a box all the same.
 /// Errors:  a ray without a line, by a NaN, an infinity or a zero direction, enters nothing.
 /// Source:  Kay, Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013.
-template <std::floating_point T, int N, RayOrder Order>
+/// W tells units apart that are built for different registers: each has a query of its own.
+template <std::floating_point T, int N, RayOrder Order, int W = Pack<T, N>::width>
 class RayQuery {
  public:
   static constexpr bool ordered = Order == RayOrder::NearestFirst;
@@ -96,7 +97,7 @@ class RayQuery {
   }
 
  private:
-  using P = Pack<T, N>;
+  using P = Pack<T, N, W>;
   static constexpr T stretch = T(2) * rounding_bound<T>(4);
   /// A ray that goes this much less along an axis than along another is taken to be parallel.
   static constexpr T parallel = T(1 << 30);
