@@ -12,7 +12,6 @@
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/core/fixed_stack.hpp>
-#include <glint/geometry/ray_packet.hpp>
 
 namespace glint {
 
@@ -39,13 +38,8 @@ struct Company {
   int visits = 0;
   int rays = 0;  ///< that took part, summed over the visits
 
-  /// Whether it was worth it. As measured, a visit takes as long as those of this many rays alone, and longer where
-  /// registers are short.
-  template <std::floating_point T>
-  [[nodiscard]] bool was_good() const noexcept {
-    constexpr int break_even = 7 + 3 * int(RayPacket<T>::Lanes::words) / 2;
-    return rays >= break_even * visits;
-  }
+  /// Whether it was worth it: below this, the rays would have been faster alone.
+  [[nodiscard]] bool was_good() const noexcept { return rays >= 5 * visits; }
 };
 
 namespace detail {
@@ -63,7 +57,7 @@ using PendingRaysOf =
 
 /// Leaves the children that some of the rays enter on the stack, the nearest on top.
 template <Layout L>
-GLINT_ALWAYS_INLINE void push_children(const L& layout, const PacketQuery<typename L::Scalar>& query,
+GLINT_ALWAYS_INLINE void push_children(const L& layout, const PacketQuery<typename L::Scalar, L::width>& query,
                                        typename L::Index node, std::uint32_t rays, PendingRaysOf<L>& pending) noexcept {
   using T = typename L::Scalar;
   const BoxPack<T, L::width>& boxes = layout.children(node);
@@ -71,16 +65,13 @@ GLINT_ALWAYS_INLINE void push_children(const L& layout, const PacketQuery<typena
   const Entered<T, L::width> entered = query.enter(boxes);
   std::array<T, std::size_t(L::width)> key;
   entered.key.store(key.data());
-  std::array<PendingRays<L>, std::size_t(L::width)> found;
-  std::size_t count = 0;
+  const std::size_t base = pending.size();
   for (std::uint32_t mask = entered.mask; mask != 0; mask &= mask - 1) {
     const int i = std::countr_zero(mask);
     const std::uint32_t entering = query.enter(boxes, i) & rays;
-    found[count] = {links[std::size_t(i)], key[std::size_t(i)], entering};
-    count += std::size_t(entering != 0);  // not a branch, for nobody could foresee it
+    if (entering == 0) continue;
+    push_sorted(pending, base, PendingRays<L>{links[std::size_t(i)], key[std::size_t(i)], entering});
   }
-  const std::size_t base = pending.size();
-  for (std::size_t i = 0; i < count; ++i) push_sorted(pending, base, found[i]);
 }
 
 }  // namespace detail
@@ -92,9 +83,9 @@ GLINT_ALWAYS_INLINE void push_children(const L& layout, const PacketQuery<typena
 /// Cost:     no allocation.
 /// Source:   Wald, Slusallek, Benthin, Wagner, "Interactive Rendering with Coherent Ray Tracing", Eurographics 2001.
 template <Layout L, typename Visit, typename VisitAlone>
-GLINT_ALWAYS_INLINE Company traverse_packet(const L& layout, const PacketQuery<typename L::Scalar>& query,
+GLINT_ALWAYS_INLINE Company traverse_packet(const L& layout, const PacketQuery<typename L::Scalar, L::width>& query,
                                             std::uint32_t rays, const Visit& visit, const VisitAlone& visit_alone) {
-  constexpr int few = 4;
+  constexpr int few = 2;
   detail::PendingRaysOf<L> pending;
   Company company;
   if (layout.empty()) return company;
