@@ -7,10 +7,12 @@
 #include <glint/bsdf/dielectric.hpp>
 #include <glint/bsdf/fresnel.hpp>
 #include <glint/bsdf/lambertian.hpp>
+#include <glint/bsdf/metals.hpp>
 #include <glint/bsdf/microfacet.hpp>
 #include <glint/bsdf/mirror.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
+#include <glint/bsdf/thin_dielectric.hpp>
 #include <glint/bsdf/two_sided.hpp>
 #include <glint/bvh/brute_force.hpp>
 #include <glint/bvh/build/binned_sah.hpp>
