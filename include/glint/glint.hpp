@@ -12,6 +12,7 @@
 #include <glint/bsdf/mirror.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
+#include <glint/bsdf/rough_dielectric.hpp>
 #include <glint/bsdf/thin_dielectric.hpp>
 #include <glint/bsdf/two_sided.hpp>
 #include <glint/bvh/brute_force.hpp>

@@ -55,6 +55,17 @@ template <MicrofacetDistribution D>
   return 1.0F / (1.0F + smith_lambda(distribution, wo) + smith_lambda(distribution, wi));
 }
 
+/// G₂ / G₁(wo), heights correlated: of the facets visible from wo, the share visible from wi too.
+///
+/// Shapes:   area_o = projected_area(wo), which callers need as well.
+/// Requires: wo.z > 0, wi.z > 0.
+template <MicrofacetDistribution D>
+[[nodiscard]] float shared_visibility(const D& distribution, const Vec3<float>& wo, const Vec3<float>& wi,
+                                      float area_o) noexcept {
+  const float seen = wi.z * area_o;
+  return seen / (seen + wo.z * (distribution.projected_area(wi) - wi.z));
+}
+
 /// The density of facet normals seen from w, 1/sr.
 template <MicrofacetDistribution D>
 [[nodiscard]] float visible_density(const D& distribution, const Vec3<float>& w, const Vec3<float>& m) noexcept {

@@ -33,7 +33,8 @@ struct RoughConductor {
     if (!(wo.z > 0.0F && wi.z > 0.0F)) return {};
     const Vec3<float> m = glm::normalize(wo + wi);
     const float area_o = distribution.projected_area(wo);
-    return fresnel(glm::dot(wo, m)) * (distribution.density(m) / (4.0F * area_o) * visibility(wo, wi, area_o));
+    return fresnel(glm::dot(wo, m)) *
+           (distribution.density(m) / (4.0F * area_o) * shared_visibility(distribution, wo, wi, area_o));
   }
 
   [[nodiscard]] float pdf(const Vec3<float>& wo, const Vec3<float>& wi) const noexcept {
@@ -48,7 +49,7 @@ struct RoughConductor {
     const Vec3<float> wi = reflect(wo, m);
     if (!(wi.z > 0.0F)) return std::nullopt;
     const float area_o = distribution.projected_area(wo);
-    return BsdfSample{wi, fresnel(glm::dot(wo, m)) * visibility(wo, wi, area_o),
+    return BsdfSample{wi, fresnel(glm::dot(wo, m)) * shared_visibility(distribution, wo, wi, area_o),
                       distribution.density(m) / (4.0F * area_o), Lobe::Glossy};
   }
 
@@ -58,12 +59,6 @@ struct RoughConductor {
 
  private:
   [[nodiscard]] Rgb fresnel(float cos_o) const noexcept { return reflectance * fresnel_conductor(cos_o, eta, k); }
-
-  /// G₂ / G₁(wo): of the facets visible from wo, the share visible from wi too.
-  [[nodiscard]] float visibility(const Vec3<float>& wo, const Vec3<float>& wi, float area_o) const noexcept {
-    const float seen = wi.z * area_o;
-    return seen / (seen + wo.z * (distribution.projected_area(wi) - wi.z));
-  }
 };
 
 static_assert(Bsdf<RoughConductor<Beckmann>> && Bsdf<RoughConductor<Ggx>>);
