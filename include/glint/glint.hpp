@@ -10,6 +10,7 @@
 #include <glint/bsdf/metals.hpp>
 #include <glint/bsdf/microfacet.hpp>
 #include <glint/bsdf/mirror.hpp>
+#include <glint/bsdf/oren_nayar.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/bsdf/rough_dielectric.hpp>
