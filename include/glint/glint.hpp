@@ -123,10 +123,16 @@
 #include <glint/light/area.hpp>
 #include <glint/light/concepts.hpp>
 #include <glint/light/directional.hpp>
+#include <glint/light/emission.hpp>
 #include <glint/light/environment.hpp>
+#include <glint/light/light_bounds.hpp>
 #include <glint/light/light_sampler.hpp>
 #include <glint/light/lights.hpp>
 #include <glint/light/point.hpp>
+#include <glint/light/seen_quad.hpp>
+#include <glint/light/seen_sphere.hpp>
+#include <glint/light/seen_triangle.hpp>
+#include <glint/light/solid_angle.hpp>
 #include <glint/light/spot.hpp>
 #include <glint/light/triangle_sampler.hpp>
 #include <glint/material/concepts.hpp>

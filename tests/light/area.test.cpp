@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <glint/light/area.hpp>  // first, so the header proves it stands alone
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <support/catch.hpp>
 
 #include <glint/geometry/disk.hpp>
 #include <glint/geometry/quad.hpp>
 #include <glint/geometry/sphere.hpp>
+#include <glint/geometry/triangle.hpp>
 #include <glint/math/random.hpp>
 #include <glint/testing/light_laws.hpp>
+#include <glint/texture/constant.hpp>
 
 using glint::AreaLight;
 using glint::Disk;
@@ -17,6 +21,7 @@ using glint::Quad;
 using glint::Rgb;
 using glint::Sphere;
 using glint::Surface;
+using glint::Triangle;
 using glint::Vec3;
 
 namespace {
@@ -33,6 +38,29 @@ double irradiance(const L& light, const Vec3<float>& from, const Vec3<float>& no
     sum += static_cast<double>(sample->radiance.r * cosine / sample->pdf);
   }
   return sum / samples;
+}
+
+/// The surface of a shape where a ray meets it.
+template <typename S>
+auto finder(const S& shape) {
+  return [&shape](const glint::Ray<float>& ray) -> std::optional<Surface> {
+    const auto hit = intersect(ray, shape);
+    if (!hit) return std::nullopt;
+    const Vec3<float> position = ray.origin + ray.direction * hit->t;
+    if constexpr (requires { surface(shape, position, *hit); }) {
+      return surface(shape, position, *hit);
+    } else {
+      return surface(shape, position);
+    }
+  };
+}
+
+template <typename S>
+void check_laws(const S& shape, const Vec3<float>& from) {
+  const AreaLight light{shape, Rgb{1, 2, 3}};
+  const auto violations = glint::testing::violations_of_surface_light_laws(light, finder(shape), from, 1);
+  for (const auto& violation : violations) UNSCOPED_INFO(violation);
+  CHECK(violations.empty());
 }
 
 }  // namespace
@@ -102,9 +130,44 @@ TEST_CASE("area light: a shadow ray ends before the light's own surface", "[ligh
   }
 }
 
-TEST_CASE("area light: obeys the laws of Light", "[light][area][laws]") {
-  const AreaLight quad{Quad<float>{}, Rgb{1}};
-  const AreaLight sphere{Sphere<float>{.center = {0, 1, 3}, .radius = 0.5F}, Rgb{2}};
-  CHECK(glint::testing::violations_of_light_laws(quad, {0.2F, 0.3F, 2}, 1).empty());
-  CHECK(glint::testing::violations_of_light_laws(sphere, {0, 0, 0}, 2).empty());
+TEST_CASE("area light: obeys the laws of SurfaceLight, near and far", "[light][area][laws]") {
+  check_laws(Quad<float>{}, {0.2F, 0.3F, 0.5F});
+  check_laws(Quad<float>{.origin = {-9, -7, -3}, .edge_u = {20, 0, 0}, .edge_v = {0, 20, 0}}, {0, 0, 0});
+  check_laws(Quad<float>{.origin = {0, 0, -1}, .edge_u = {3, 1, 0}, .edge_v = {0, 2, 0.5F}}, {0, 0, 0.5F});  // skew
+  check_laws(Disk<float>{.normal = {0.2F, 0, 1}, .radius = 2}, {1, 0.3F, 0.5F});
+  check_laws(Sphere<float>{.center = {0, 1, 3}, .radius = 0.5F}, {0, 0, 1});
+  check_laws(Sphere<float>{.center = {0, 1, 3}, .radius = 3}, {0, 0, 0});
+  check_laws(Triangle<float>{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {0.5F, 1, 0.2F});
+  check_laws(Triangle<float>{{0, 0, 0}, {2, 0, 0}, {0, 2, 0.5F}}, {0.5F, 1, 3});
+}
+
+TEST_CASE("area light: shines as its texture says at each point", "[light][area]") {
+  // A ramp from black to white along u: what it gives off is the mean, a half, and half of the square has 3/4 of it.
+  struct Ramp {
+    Rgb evaluate(const glint::Vec2<float>& uv) const { return Rgb{uv.x}; }
+  };
+  const AreaLight light{Quad<float>{}, Ramp{}};
+  static_assert(glint::SurfaceLight<decltype(light)> && glint::BoundedLight<decltype(light)>);
+  CHECK(light.emission(Surface{.uv = {0.75F, 0}}, {0, 0, 1}) == Rgb{0.75F});
+  CHECK(light.power({}).g == Approx(0.5F * glint::pi<float>));
+  const auto sample = light.sample({0.4F, 0.5F, 9}, {0.25F, 0.5F});
+  REQUIRE(sample);
+  CHECK(sample->radiance.r == Approx(0.25F));
+  CHECK(glint::testing::violations_of_surface_light_laws(light, finder(light.shape), {0.5F, 0.5F, 0.4F}, 1).empty());
+  CHECK(glint::testing::violations_of_emission_laws(light, {}, 1).empty());
+}
+
+TEST_CASE("area light: a black texture still may hide light", "[light][area]") {
+  const AreaLight light{Quad<float>{}, glint::ConstantTexture{Rgb{0}}};
+  CHECK(light.power({}).r > 0);
+}
+
+TEST_CASE("area light: flat shapes shine in the half space before them", "[light][area]") {
+  const glint::LightBounds quad = AreaLight{Quad<float>{}, Rgb{3}}.light_bounds();
+  CHECK(quad.box == glint::Aabb<float>{{0, 0, 0}, {1, 1, 0}});
+  CHECK(quad.axis == Vec3<float>{0, 0, 1});
+  CHECK(quad.cos_theta_o == 1);
+  CHECK(quad.cos_theta_e == 0);
+  CHECK(quad.intensity == Approx(3));
+  CHECK(AreaLight{Sphere<float>{}, Rgb{1}}.light_bounds().cos_theta_o == -1);
 }

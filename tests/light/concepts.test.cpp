@@ -30,7 +30,7 @@ TEST_CASE("light: one of several answers as the one it is", "[light][concepts]")
   const AnyLight area = AreaLight{Quad<float>{}, Rgb{3}};
   const AnyLight sky = ConstantEnvironment{Rgb{4}};
   CHECK(emission(area, glint::Surface{}, {0, 0, 1}) == Rgb{3});
-  CHECK(surface_pdf(area, {0, 0, 2}, glint::Surface{}) == Approx(4));  // distance² / area / cosine = 4 / 1 / 1
+  CHECK(surface_pdf(area, {0, 0, 8}, glint::Surface{}) == Approx(64));  // distance² / area / cosine = 64 / 1 / 1
   CHECK(background(sky, {0, 0, 1}) == Rgb{4});
   CHECK(background_pdf(sky, {0, 0, 1}) == Approx(0.25F / glint::pi<float>));
   CHECK(sky.sample(glint::Vec3<float>{0.0F}, glint::Vec2<float>{0.3F, 0.4F})->radiance == Rgb{4});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <glint/light/environment.hpp>  // first, so the header proves it stands alone
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -110,6 +111,64 @@ TEST_CASE("environment light: of one color it has the power of a constant one", 
   const glint::Aabb<float> scene{{-1, -1, -1}, {1, 1, 1}};
   const EnvironmentLight light(ConstantTexture{Rgb{2}}, {256, 128});
   CHECK(light.power(scene).r == Approx(ConstantEnvironment{Rgb{2}}.power(scene).r).epsilon(1e-3));
+}
+
+TEST_CASE("environment light: compensated, it leaves out what is below the mean", "[light][environment]") {
+  const EnvironmentLight light(sky(), {32, 16}, 1, Mat3<float>(1), glint::EnvironmentChoice::Compensated);
+  const EnvironmentLight plain(sky(), {32, 16});
+  const Vec3<float> sun = glint::equirectangular_to_direction(Vec2<float>{21.0F / 32, 5.0F / 16});
+  CHECK(light.pdf(sun) > plain.pdf(sun));
+  CHECK(light.pdf({0, -0.6F, 0.8F}) == 0);
+  CHECK(light.background(sun) == plain.background(sun));
+  const glint::Aabb<float> scene{{-1, -1, -1}, {1, 1, 1}};
+  CHECK(light.power(scene) == plain.power(scene));
+  const auto result = glint::testing::chi_square_sphere(
+      [&](float, const Vec2<float>& uv) {
+        return std::optional(to_test(light.sample({0, 0, 0}, uv)->wi));
+      },
+      [&](const Vec3<float>& w) { return light.pdf(from_test(w)); }, {.significance = 1e-4});
+  INFO(result.message);
+  CHECK(result.passed);
+}
+
+TEST_CASE("environment light: compensated, it is right together with another strategy, and less noisy",
+          "[light][environment]") {
+  // Irradiance with z up, from one sample of the light and one cosine-weighted direction, by the balance heuristic.
+  const auto estimate = [](const auto& light, double& variance) {
+    glint::Random random{8};
+    double sum = 0;
+    double squares = 0;
+    constexpr int n = 100'000;
+    for (int i = 0; i < n; ++i) {
+      double value = 0;
+      const auto add = [&](const Vec3<float>& w) {
+        const float by_cosine = glint::cosine_hemisphere_pdf(w.z);
+        if (!(by_cosine > 0)) return;
+        value += static_cast<double>(luminance(light.background(w)) * w.z / (by_cosine + light.pdf(w)));
+      };
+      const auto sample = light.sample({0, 0, 0}, random.uniform_vec2());
+      if (sample) add(sample->wi);
+      add(glint::cosine_hemisphere(random.uniform_vec2()));
+      sum += value;
+      squares += value * value;
+    }
+    variance = (squares / n - sum / n * (sum / n)) / n;
+    return sum / n;
+  };
+  double plain = 0;
+  double compensated = 0;
+  // The sun, around u = 21/32, v = 5/16, stands on the side of +z.
+  const double expected = estimate(EnvironmentLight(sky(), {32, 16}), plain);
+  const double found = estimate(
+      EnvironmentLight(sky(), {32, 16}, 1, Mat3<float>(1), glint::EnvironmentChoice::Compensated), compensated);
+  CHECK(std::abs(found - expected) < 5 * std::sqrt(plain + compensated));
+  CHECK(compensated < plain);
+}
+
+TEST_CASE("environment light: an even one has nothing to compensate", "[light][environment]") {
+  const EnvironmentLight light(ConstantTexture{Rgb{2}}, {16, 8}, 1, Mat3<float>(1),
+                               glint::EnvironmentChoice::Compensated);
+  CHECK(glint::testing::violations_of_light_laws(light, {0, 0, 0}, 1).empty());
 }
 
 TEST_CASE("environment light: obeys the laws of Light", "[light][environment][laws]") {

@@ -70,6 +70,14 @@ template <std::floating_point T>
 
 namespace detail {
 
+/// The parameters of the point with this normal.
+template <std::floating_point T>
+[[nodiscard]] Vec2<T> sphere_uv(const Vec3<T>& normal) noexcept {
+  const T theta = std::acos(std::clamp(normal.z, T(-1), T(1)));
+  const T turns = std::atan2(normal.y, normal.x) * (inv_pi<T> / T(2));
+  return {theta * inv_pi<T>, turns < T(0) ? std::min(turns + T(1), one_minus_epsilon<T>) : turns};
+}
+
 /// The surface at center + outward, |outward| = radius.
 template <std::floating_point T>
 [[nodiscard]] SurfaceOf<T> sphere_surface(const Sphere<T>& sphere, const Vec3<T>& normal, const Vec2<T>& uv) noexcept {
@@ -98,10 +106,7 @@ template <std::floating_point T>
   const Vec3<T> outward = position - sphere.center;
   const T squared = length_squared(outward);
   const Vec3<T> normal = squared > T(0) ? outward * (T(1) / std::sqrt(squared)) : Vec3<T>(T(0), T(0), T(1));
-  const T theta = std::acos(std::clamp(normal.z, T(-1), T(1)));
-  const T turns = std::atan2(normal.y, normal.x) * (inv_pi<T> / T(2));
-  const T v = turns < T(0) ? std::min(turns + T(1), one_minus_epsilon<T>) : turns;
-  return detail::sphere_surface(sphere, normal, {theta * inv_pi<T>, v});
+  return detail::sphere_surface(sphere, normal, detail::sphere_uv(normal));
 }
 
 template <std::floating_point T>

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <glint/light/concepts.hpp>
+#include <glint/light/emission.hpp>
 #include <glint/math/constants.hpp>
 
 namespace glint {
@@ -33,9 +34,25 @@ struct DirectionalLight {
     return irradiance * (pi<float> * 0.25F * length_squared(is_empty(scene) ? Vec3<float>(0) : extent(scene)));
   }
 
+  [[nodiscard]] std::optional<EmittedRay> emit(const Vec2<float>& u_position, const Vec2<float>& /*u_direction*/,
+                                               const Aabb<float>& scene) const noexcept {
+    const SceneDisk disk(scene);
+    if (!(disk.radius > 0)) return std::nullopt;
+    const Vec3<float> out = glm::normalize(direction);
+    return EmittedRay{.ray = disk.ray(out, u_position),
+                      .radiance = irradiance,
+                      .normal = out,
+                      .pdf = {disk.pdf(), 1},
+                      .is_delta_direction = true};
+  }
+  [[nodiscard]] static EmissionPdf emission_pdf(const Surface& /*at*/, const Vec3<float>& /*direction*/,
+                                                const Aabb<float>& scene) noexcept {
+    return {SceneDisk(scene).pdf(), 1};
+  }
+
   [[nodiscard]] friend bool operator==(const DirectionalLight&, const DirectionalLight&) noexcept = default;
 };
 
-static_assert(Light<DirectionalLight>);
+static_assert(EmittingLight<DirectionalLight>);
 
 }  // namespace glint

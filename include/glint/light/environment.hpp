@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -9,6 +11,7 @@
 #include <glm/matrix.hpp>
 
 #include <glint/light/concepts.hpp>
+#include <glint/light/emission.hpp>
 #include <glint/math/constants.hpp>
 #include <glint/math/distribution.hpp>
 #include <glint/math/spherical.hpp>
@@ -36,15 +39,40 @@ struct ConstantEnvironment {
     return radiance * (pi<float> * pi<float> * length_squared(is_empty(scene) ? Vec3<float>(0) : extent(scene)));
   }
 
+  [[nodiscard]] std::optional<EmittedRay> emit(const Vec2<float>& u_position, const Vec2<float>& u_direction,
+                                               const Aabb<float>& scene) const noexcept {
+    const SceneDisk disk(scene);
+    if (!(disk.radius > 0)) return std::nullopt;
+    const Vec3<float> direction = uniform_sphere(u_direction);
+    return EmittedRay{.ray = disk.ray(direction, u_position),
+                      .radiance = radiance,
+                      .normal = direction,
+                      .pdf = {disk.pdf(), uniform_sphere_pdf<float>()}};
+  }
+  [[nodiscard]] static EmissionPdf emission_pdf(const Surface& /*at*/, const Vec3<float>& /*direction*/,
+                                                const Aabb<float>& scene) noexcept {
+    return {SceneDisk(scene).pdf(), uniform_sphere_pdf<float>()};
+  }
+
   [[nodiscard]] friend bool operator==(const ConstantEnvironment&, const ConstantEnvironment&) noexcept = default;
 };
 
-static_assert(InfiniteLight<ConstantEnvironment>);
+static_assert(InfiniteLight<ConstantEnvironment> && EmittingLight<ConstantEnvironment>);
+
+/// By what directions toward an environment are chosen.
+enum class EnvironmentChoice : std::uint8_t {
+  Radiance,     ///< in proportion to it: right for light sampling alone
+  Compensated,  ///< in proportion to what exceeds the mean: less noise where BSDF sampling, weighted by the balance or
+                ///< power heuristic, finds the rest. Directions of less than the mean are never chosen, nor are rays
+                ///< emitted from there: alone, it is wrong
+};
 
 /// Radiance from infinitely far away, looked up in a texture by direction (math/spherical.hpp: y up, v = 0 at the
 /// zenith, −z at u = 0), and sampled in proportion to it.
 ///
-/// Source: Pharr, Jakob, Humphreys, Physically Based Rendering (4th ed., 2023), section 12.5.2.
+/// Source: Pharr, Jakob, Humphreys, Physically Based Rendering (4th ed., 2023), section 12.5.2; the compensated choice:
+///         Karlík, Šik, Vévoda, Skřivan, Křivánek, "MIS Compensation: Optimizing Sampling Techniques in Multiple
+///         Importance Sampling", ACM Transactions on Graphics 38(6), 2019.
 template <Texture T>
 class EnvironmentLight {
  public:
@@ -52,13 +80,18 @@ class EnvironmentLight {
   /// which directions are chosen, best the image's own; it has no part in what the light looks like.
   ///
   /// Requires: to_world is invertible; resolution ≥ 1.
-  EnvironmentLight(T texture, Vec2i resolution, Rgb scale = 1, const Mat3<float>& to_world = Mat3<float>(1))
+  EnvironmentLight(T texture, Vec2i resolution, Rgb scale = 1, const Mat3<float>& to_world = Mat3<float>(1),
+                   EnvironmentChoice choice = EnvironmentChoice::Radiance)
       : texture_(std::move(texture)),
         scale_(scale),
         to_world_(to_world),
         from_world_(glm::inverse(to_world)),
-        inverse_determinant_(1 / std::abs(glm::determinant(to_world))),
-        choice_(table(texture_, resolution), resolution.x, resolution.y) {}
+        inverse_determinant_(1 / std::abs(glm::determinant(to_world))) {
+    std::vector<float> cells = table(texture_, resolution);
+    for (const float cell : cells) mean_ += static_cast<double>(cell) / static_cast<double>(cells.size());
+    if (choice == EnvironmentChoice::Compensated) compensate(cells, resolution);
+    choice_ = Distribution2D(cells, resolution.x, resolution.y);
+  }
 
   [[nodiscard]] Rgb background(const Vec3<float>& direction) const {
     return scale_ * texture_.evaluate(direction_to_equirectangular(glm::normalize(from_world_ * direction)));
@@ -82,7 +115,22 @@ class EnvironmentLight {
 
   [[nodiscard]] Rgb power(const Aabb<float>& scene) const {
     const float area = length_squared(is_empty(scene) ? Vec3<float>(0) : extent(scene));
-    return scale_ * (pi<float> * pi<float> * choice_.mean() * 0.5F * pi<float> * area);
+    return scale_ * (pi<float> * pi<float> * static_cast<float>(mean_) * 0.5F * pi<float> * area);
+  }
+
+  [[nodiscard]] std::optional<EmittedRay> emit(const Vec2<float>& u_position, const Vec2<float>& u_direction,
+                                               const Aabb<float>& scene) const {
+    const SceneDisk disk(scene);
+    const auto toward = sample(disk.center, u_direction);
+    if (!toward || !(disk.radius > 0)) return std::nullopt;
+    return EmittedRay{.ray = disk.ray(-toward->wi, u_position),
+                      .radiance = toward->radiance,
+                      .normal = -toward->wi,
+                      .pdf = {disk.pdf(), toward->pdf}};
+  }
+  [[nodiscard]] EmissionPdf emission_pdf(const Surface& /*at*/, const Vec3<float>& direction,
+                                         const Aabb<float>& scene) const {
+    return {SceneDisk(scene).pdf(), pdf(-direction)};
   }
 
  private:
@@ -98,15 +146,37 @@ class EnvironmentLight {
     return sum / 9;
   }
 
+  /// A row's share of the sphere.
+  [[nodiscard]] static float row_share(int y, Vec2i resolution) noexcept {
+    return std::sin(pi<float> * (static_cast<float>(y) + 0.5F) / static_cast<float>(resolution.y));
+  }
+
   /// The luminance of each cell times its share of the sphere.
   [[nodiscard]] static std::vector<float> table(const T& texture, Vec2i resolution) {
     std::vector<float> cells;
     cells.reserve(static_cast<std::size_t>(resolution.x) * static_cast<std::size_t>(resolution.y));
     for (int y = 0; y < resolution.y; ++y) {
-      const float share = std::sin(pi<float> * (static_cast<float>(y) + 0.5F) / static_cast<float>(resolution.y));
+      const float share = row_share(y, resolution);
       for (int x = 0; x < resolution.x; ++x) cells.push_back(cell_luminance(texture, {x, y}, resolution) * share);
     }
     return cells;
+  }
+
+  /// Takes the mean over the sphere off each cell. An even environment has nothing left: it stays as it is.
+  static void compensate(std::vector<float>& cells, Vec2i resolution) {
+    double shares = 0;
+    double sum = 0;
+    for (int y = 0; y < resolution.y; ++y) shares += static_cast<double>(row_share(y, resolution)) * resolution.x;
+    for (const float cell : cells) sum += static_cast<double>(cell);
+    const auto mean = static_cast<float>(sum / shares);
+    std::vector<float> rest = cells;
+    bool any = false;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      const float share = row_share(static_cast<int>(i / static_cast<std::size_t>(resolution.x)), resolution);
+      rest[i] = std::max(0.0F, rest[i] - mean * share * (1 + rounding_bound<float>(64)));
+      any = any || rest[i] > 0;
+    }
+    if (any) cells = std::move(rest);
   }
 
   /// From the unit square to the sphere, dω = 2π² sin θ du dv, and through the stretch of to_world.
@@ -122,6 +192,7 @@ class EnvironmentLight {
   Mat3<float> to_world_{1.0F};
   Mat3<float> from_world_{1.0F};
   float inverse_determinant_ = 1;
+  double mean_ = 0;  ///< of the cells, each of them luminance times share of the sphere
   Distribution2D choice_;
 };
 

@@ -4,7 +4,10 @@
 #include <optional>
 
 #include <glint/light/concepts.hpp>
+#include <glint/light/emission.hpp>
+#include <glint/light/light_bounds.hpp>
 #include <glint/math/constants.hpp>
+#include <glint/math/warp.hpp>
 
 namespace glint {
 
@@ -33,9 +36,27 @@ struct PointLight {
 
   [[nodiscard]] Rgb power(const Aabb<float>& /*scene*/) const noexcept { return intensity * (4 * pi<float>); }
 
+  [[nodiscard]] LightBounds light_bounds() const noexcept {
+    return {.box = {position, position}, .intensity = luminance(intensity)};
+  }
+
+  [[nodiscard]] std::optional<EmittedRay> emit(const Vec2<float>& /*u_position*/, const Vec2<float>& u_direction,
+                                               const Aabb<float>& /*scene*/) const noexcept {
+    const Vec3<float> direction = uniform_sphere(u_direction);
+    return EmittedRay{.ray = {.origin = position, .direction = direction},
+                      .radiance = intensity,
+                      .normal = direction,
+                      .pdf = {1, uniform_sphere_pdf<float>()},
+                      .is_delta_position = true};
+  }
+  [[nodiscard]] static EmissionPdf emission_pdf(const Surface& /*at*/, const Vec3<float>& /*direction*/,
+                                                const Aabb<float>& /*scene*/) noexcept {
+    return {1, uniform_sphere_pdf<float>()};
+  }
+
   [[nodiscard]] friend bool operator==(const PointLight&, const PointLight&) noexcept = default;
 };
 
-static_assert(Light<PointLight>);
+static_assert(BoundedLight<PointLight> && EmittingLight<PointLight>);
 
 }  // namespace glint

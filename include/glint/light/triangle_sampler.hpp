@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include <glint/geometry/aabb.hpp>
 #include <glint/geometry/surface.hpp>
 #include <glint/geometry/triangle.hpp>
 #include <glint/math/constants.hpp>
@@ -17,9 +18,13 @@ class TriangleSampler {
  public:
   TriangleSampler() = default;
   explicit TriangleSampler(std::vector<Triangle<float>> triangles)
-      : triangles_(std::move(triangles)), choice_(areas(triangles_)), area_(static_cast<float>(choice_.total())) {}
+      : triangles_(std::move(triangles)), choice_(areas(triangles_)), area_(static_cast<float>(choice_.total())) {
+    for (const Triangle<float>& triangle : triangles_) box_ = join(box_, bounds(triangle));
+  }
 
   [[nodiscard]] const std::vector<Triangle<float>>& triangles() const noexcept { return triangles_; }
+
+  [[nodiscard]] friend Aabb<float> bounds(const TriangleSampler& shape) noexcept { return shape.box_; }
 
   [[nodiscard]] friend float area(const TriangleSampler& shape) noexcept { return shape.area_; }
 
@@ -44,6 +49,7 @@ class TriangleSampler {
 
   std::vector<Triangle<float>> triangles_;
   AliasTable choice_;
+  Aabb<float> box_{};
   float area_ = 0;
 };
 
