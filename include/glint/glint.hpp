@@ -120,12 +120,14 @@
 #include <glint/io/scene_objects.hpp>
 #include <glint/io/scene_settings.hpp>
 #include <glint/io/scene_textures.hpp>
+#include <glint/light/adaptive_light_sampler.hpp>
 #include <glint/light/area.hpp>
 #include <glint/light/concepts.hpp>
 #include <glint/light/directional.hpp>
 #include <glint/light/emission.hpp>
 #include <glint/light/environment.hpp>
 #include <glint/light/light_bounds.hpp>
+#include <glint/light/light_bvh.hpp>
 #include <glint/light/light_sampler.hpp>
 #include <glint/light/lights.hpp>
 #include <glint/light/point.hpp>

@@ -33,6 +33,28 @@ TEST_CASE("path: in a furnace the radiance is the geometric series, at every dep
   CHECK(std::abs(mean - expected) <= 4 * error + 1e-6);
 }
 
+TEST_CASE("path: a furnace of a hundred lights, chosen by a tree, is as bright as one of six", "[integrator][path]") {
+  const auto strategy = GENERATE(LightStrategy::Mis, LightStrategy::NextEvent);
+  CAPTURE(static_cast<int>(strategy));
+  std::vector<glint::Quad<float>> tiles;
+  glint::Lights<Furnace::Light> lights;
+  for (const glint::Quad<float>& wall : room_walls()) {
+    for (int i = 0; i < 16; ++i) {
+      const Vec3<float> u = wall.edge_u * 0.25F;
+      const Vec3<float> v = wall.edge_v * 0.25F;
+      const glint::Quad<float> tile{wall.origin + u * static_cast<float>(i % 4) + v * static_cast<float>(i / 4), u, v};
+      lights.of_primitive.push_back(static_cast<std::uint32_t>(tiles.size()));
+      lights.all.push_back({tile, Rgb{1}});
+      tiles.push_back(tile);
+    }
+  }
+  static_assert(6 * 16 >= glint::AdaptiveLightSampler::many);
+  const glint::Scene scene{glint::Bvh{glint::Elements{tiles}}, Lambertian{Rgb{0.5F}}, lights};
+  const Path path{.max_depth = 3, .roulette_below = 0, .strategy = strategy};
+  const auto [mean, error] = estimate(path, scene, Ray<float>{.direction = {0.3F, 0.5F, -0.8F}}, 20'000);
+  CHECK(std::abs(mean - 1.75) <= 4 * error + 1e-6);  // 1 + 1/2 + 1/4
+}
+
 TEST_CASE("path: Russian roulette changes the noise, not the mean", "[integrator][path]") {
   const Furnace furnace;
   const auto scene = furnace.scene(0.8F);

@@ -2,7 +2,9 @@
 #include <glint/light/light_sampler.hpp>  // first, so the header proves it stands alone
 
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include <support/catch.hpp>
 
@@ -29,6 +31,25 @@ TEST_CASE("light sampler: lights are chosen in proportion to their power", "[lig
   }
   CHECK(counts[0] == Approx(n / 4).margin(2));
   CHECK(counts[1] == 0);
+}
+
+TEST_CASE("light sampler: uniformly, each light is chosen by the share of one", "[light][light_sampler]") {
+  const std::array<PointLight, 5> lights{};
+  const glint::UniformLightSampler sampler(std::span<const PointLight>(lights), {});
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    const auto chosen = sampler.choose({}, {}, (static_cast<float>(i) + 0.5F) / 5);
+    CHECK(chosen == glint::ChosenLight{i, 0.2F});
+    CHECK(sampler.probability({}, {}, i) == 0.2F);
+  }
+  CHECK_FALSE(glint::UniformLightSampler{}.choose({}, {}, 0.5F));
+}
+
+TEST_CASE("light sampler: by power, it does not matter from where lights are seen", "[light][light_sampler]") {
+  const std::array lights{PointLight{.intensity = Rgb{1}}, PointLight{.intensity = Rgb{3}}};
+  const PowerLightSampler sampler(std::span<const PointLight>(lights), {});
+  CHECK(sampler.choose({1, 2, 3}, {0, 0, 1}, 0.9F) == sampler.choose(0.9F));
+  CHECK(sampler.probability({1, 2, 3}, {0, 0, 1}, 1) == sampler.probability(1));
+  CHECK_FALSE(PowerLightSampler{}.choose({}, {}, 0.5F));
 }
 
 TEST_CASE("light sampler: where nothing shines it is empty", "[light][light_sampler]") {

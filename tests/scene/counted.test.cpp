@@ -25,5 +25,6 @@ TEST_CASE("counted scene: answers as the scene does, and counts the rays", "[sce
   CHECK(counted.light_count() == 1);
   CHECK(counted.light(0) == scene.light(0));
   CHECK(&counted.light_sampler() == &scene.light_sampler());
+  CHECK(counted.infinite_lights().empty());
   CHECK(rays == 3);
 }

@@ -66,7 +66,19 @@ TEST_CASE("scene: lights at infinity add up in the background", "[scene]") {
   const Scene scene{Bvh{Elements{two_spheres}}, Lambertian{}, lights};
   CHECK(scene.background({0, 1, 0}) == Rgb{3});
   CHECK(scene.light_count() == 3);
-  CHECK_FALSE(scene.light_sampler().empty());
+  CHECK(scene.light_sampler().choose({}, {}, 0.5F).has_value());
+  const auto infinite = scene.infinite_lights();
+  CHECK(std::vector(infinite.begin(), infinite.end()) == std::vector<std::uint32_t>{0, 2});
+}
+
+TEST_CASE("scene: the way to choose among its lights is the user's choice", "[scene]") {
+  const glint::Lights<glint::PointLight> lights{{glint::PointLight{{}, Rgb{1}}, glint::PointLight{{}, Rgb{3}}}};
+  const Bvh geometry{Elements{two_spheres}};
+  const Scene uniform{geometry, Lambertian{}, lights, glint::choose_by<glint::UniformLightSampler>};
+  CHECK(uniform.light_sampler().probability({}, {}, 1) == 0.5F);
+  const Scene by_power{geometry, Lambertian{}, lights, glint::choose_by<glint::PowerLightSampler>};
+  CHECK(by_power.light_sampler().probability({}, {}, 1) == 0.75F);
+  static_assert(glint::SceneLike<decltype(uniform)>);
 }
 
 TEST_CASE("scene: the light that stands on a primitive is known where a ray meets it", "[scene]") {

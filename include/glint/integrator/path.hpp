@@ -45,7 +45,7 @@ struct Path {
       if (!scattered) break;
       throughput *= scattered->weight;
       if (!survives(throughput, sampler)) break;
-      arrival = {at->surface.position, scattered->pdf, next_event && scattered->lobe != Lobe::Specular};
+      arrival = {at->surface.position, at->frame.z, scattered->pdf, next_event && scattered->lobe != Lobe::Specular};
       ray = at->leave(at->to_world(scattered->wi));
     }
     return sum;
@@ -55,6 +55,7 @@ struct Path {
   /// How a path came to where it is.
   struct Arrival {
     Vec3<float> from{0.0F};
+    Vec3<float> normal{0.0F};
     float pdf = 0;            ///< of the direction it took
     bool next_event = false;  ///< whether next-event estimation looked for the same light
   };
@@ -71,7 +72,8 @@ struct Path {
     const Rgb radiance = emission(light, at.surface, at.wo);
     if (is_black(radiance)) return {};
     if (!arrival.next_event) return radiance;
-    const float pdf = scene.light_sampler().probability(at.light) * surface_pdf(light, arrival.from, at.surface);
+    const float chance = scene.light_sampler().probability(arrival.from, arrival.normal, at.light);
+    const float pdf = chance * surface_pdf(light, arrival.from, at.surface);
     return radiance * chance_weight(arrival, pdf);
   }
 
@@ -79,10 +81,11 @@ struct Path {
   [[nodiscard]] Rgb found_background(const S& scene, const Vec3<float>& direction, const Arrival& arrival) const {
     if (!arrival.next_event) return scene.background(direction);
     Rgb sum;
-    for (std::uint32_t i = 0; i < scene.light_count(); ++i) {
+    for (const std::uint32_t i : scene.infinite_lights()) {
       const Rgb radiance = background(scene.light(i), direction);
       if (is_black(radiance)) continue;
-      const float pdf = scene.light_sampler().probability(i) * background_pdf(scene.light(i), direction);
+      const float chance = scene.light_sampler().probability(arrival.from, arrival.normal, i);
+      const float pdf = chance * background_pdf(scene.light(i), direction);
       sum += radiance * chance_weight(arrival, pdf);
     }
     return sum;
@@ -94,11 +97,11 @@ struct Path {
                                      R& sampler) const {
     const float choice = sampler.next_1d();
     const Vec2<float> u = sampler.next_2d();
-    if (scene.light_sampler().empty()) return {};
-    const ChosenLight chosen = scene.light_sampler().choose(choice);
-    const auto light = scene.light(chosen.index).sample(at.surface.position, u);
+    const auto chosen = scene.light_sampler().choose(at.surface.position, at.frame.z, choice);
+    if (!chosen) return {};
+    const auto light = scene.light(chosen->index).sample(at.surface.position, u);
     if (!light) return {};
-    const float pdf = chosen.probability * light->pdf;
+    const float pdf = chosen->probability * light->pdf;
     const bool only_way = light->is_delta || strategy == LightStrategy::NextEvent;
     const float weight = only_way ? 1 : power_heuristic(pdf, at.bsdf.pdf(wo, at.to_local(light->wi)));
     return reflected(scene, at, wo, *light) * (weight / pdf);

@@ -40,6 +40,10 @@ struct LightSample {
 /// A light whose samples are all alike, whatever the random numbers, has a `static constexpr bool is_delta = true`, so
 /// that none are drawn for it.
 ///
+/// Where it stands and shines to (BoundedLight, light_bounds.hpp), and rays that leave it (EmittingLight,
+/// emission.hpp), are questions that a light may answer too: for the choice among many lights, and for tracing light
+/// from its source.
+///
 /// Laws: testing/light_laws.hpp.
 template <typename L>
 concept Light = requires(const L& light, const Vec3<float>& from, const Vec2<float>& u, const Aabb<float>& scene) {
@@ -67,6 +71,16 @@ template <Light L>
 template <typename... Ts>
 [[nodiscard]] constexpr bool is_delta(const OneOf<Ts...>& light) noexcept {
   return light.visit([](const auto& x) { return is_delta(x); });
+}
+
+/// Whether a light is met by rays that leave the scene.
+template <Light L>
+[[nodiscard]] constexpr bool is_infinite(const L& /*light*/) noexcept {
+  return InfiniteLight<L>;
+}
+template <typename... Ts>
+[[nodiscard]] constexpr bool is_infinite(const OneOf<Ts...>& light) noexcept {
+  return light.visit([](const auto& x) { return is_infinite(x); });
 }
 
 /// The four optional questions, asked of any light: the answer is zero where the light has none.

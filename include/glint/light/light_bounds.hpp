@@ -33,6 +33,7 @@ namespace detail {
 
 /// The narrowest cone around two, as axis and cosine. Cones that together look everywhere have the cosine −1.
 inline void widen_cone(LightBounds& a, const LightBounds& b) noexcept {
+  if (a.cos_theta_o <= -1) return;
   const float theta_a = std::acos(std::clamp(a.cos_theta_o, -1.0F, 1.0F));
   const float theta_b = std::acos(std::clamp(b.cos_theta_o, -1.0F, 1.0F));
   const float between = std::atan2(glm::length(glm::cross(a.axis, b.axis)), glm::dot(a.axis, b.axis));

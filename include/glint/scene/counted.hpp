@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include <glint/scene/concepts.hpp>
 
@@ -25,7 +26,8 @@ struct Counted {
   [[nodiscard]] Rgb background(const Vec3<float>& direction) const { return scene.background(direction); }
   [[nodiscard]] std::uint32_t light_count() const noexcept { return scene.light_count(); }
   [[nodiscard]] const auto& light(std::uint32_t i) const noexcept { return scene.light(i); }
-  [[nodiscard]] const PowerLightSampler& light_sampler() const noexcept { return scene.light_sampler(); }
+  [[nodiscard]] const auto& light_sampler() const noexcept { return scene.light_sampler(); }
+  [[nodiscard]] std::span<const std::uint32_t> infinite_lights() const noexcept { return scene.infinite_lights(); }
 };
 
 template <SceneLike S>

@@ -12,6 +12,7 @@
 #include <glint/bsdf/lambertian.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/surface.hpp>
+#include <glint/light/adaptive_light_sampler.hpp>
 #include <glint/light/light_sampler.hpp>
 #include <glint/light/lights.hpp>
 #include <glint/material/concepts.hpp>
@@ -27,22 +28,32 @@ concept ShadableRayCaster = RayCaster<G> && requires(const G& geometry, const Ra
   { geometry.surface(ray, hit) } -> std::same_as<SurfaceOf<typename G::Scalar>>;
 };
 
+/// Names the way to choose among a scene's lights: Scene{geometry, materials, lights, choose_by<UniformLightSampler>}.
+template <LightSampler S>
+inline constexpr std::type_identity<S> choose_by{};
+
 /// Geometry, what it is made of, and what lights it. Models SceneLike.
 ///
 /// Shapes:  `Materials` is one material (or BSDF) for everything, or a table by primitive (MaterialTable).
 /// Threads: const means shareable.
-template <ShadableRayCaster Geometry, typename Materials = Lambertian, Light L = Darkness>
+template <ShadableRayCaster Geometry, typename Materials = Lambertian, Light L = Darkness,
+          LightSampler Choice = AdaptiveLightSampler>
   requires(Material<Materials> || MaterialTableLike<Materials>)
 class Scene {
  public:
   using Bsdf = BsdfOf<Materials>;
   using Scalar = typename Geometry::Scalar;
 
-  explicit Scene(Geometry geometry, Materials materials = {}, Lights<L> lights = {})
+  explicit Scene(Geometry geometry, Materials materials = {}, Lights<L> lights = {},
+                 std::type_identity<Choice> /*choose_by*/ = {})
       : geometry_(std::move(geometry)),
         materials_(std::move(materials)),
         lights_(std::move(lights)),
-        light_sampler_(std::span<const L>(lights_.all), bounds()) {}
+        light_sampler_(std::span<const L>(lights_.all), bounds()) {
+    for (std::uint32_t i = 0; i < light_count(); ++i) {
+      if (is_infinite(light(i))) infinite_lights_.push_back(i);
+    }
+  }
 
   /// A scene with one light.
   Scene(Geometry geometry, Materials materials, L light)
@@ -73,14 +84,15 @@ class Scene {
   /// The radiance of all lights at infinity.
   [[nodiscard]] Rgb background(const Vec3<float>& direction) const {
     Rgb sum;
-    for (const L& light : lights_.all) sum += glint::background(light, direction);
+    for (const std::uint32_t i : infinite_lights_) sum += glint::background(lights_.all[i], direction);
     return sum;
   }
 
   [[nodiscard]] std::uint32_t light_count() const noexcept { return static_cast<std::uint32_t>(lights_.all.size()); }
   /// Requires: i < light_count().
   [[nodiscard]] const L& light(std::uint32_t i) const noexcept { return lights_.all[i]; }
-  [[nodiscard]] const PowerLightSampler& light_sampler() const noexcept { return light_sampler_; }
+  [[nodiscard]] const Choice& light_sampler() const noexcept { return light_sampler_; }
+  [[nodiscard]] std::span<const std::uint32_t> infinite_lights() const noexcept { return infinite_lights_; }
 
   [[nodiscard]] const Geometry& geometry() const noexcept { return geometry_; }
   [[nodiscard]] const Materials& materials() const noexcept { return materials_; }
@@ -103,7 +115,8 @@ class Scene {
   Geometry geometry_;
   Materials materials_;
   Lights<L> lights_;
-  PowerLightSampler light_sampler_;
+  Choice light_sampler_;
+  std::vector<std::uint32_t> infinite_lights_;
 };
 
 template <typename G>
@@ -114,5 +127,7 @@ template <typename G, typename M, Light L>
 Scene(G, M, L) -> Scene<G, M, L>;
 template <typename G, typename M, Light L>
 Scene(G, M, Lights<L>) -> Scene<G, M, L>;
+template <typename G, typename M, Light L, LightSampler C>
+Scene(G, M, Lights<L>, std::type_identity<C>) -> Scene<G, M, L, C>;
 
 }  // namespace glint
