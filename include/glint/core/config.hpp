@@ -40,3 +40,12 @@
 #define GLINT_LARGE_PAGES(address, bytes) static_cast<void>(0)
 #endif
 #endif
+
+/// GLINT_PREFETCH(address): has a cache line fetched that will be read soon. It may lie anywhere.
+#ifndef GLINT_PREFETCH
+#if defined(__GNUC__)
+#define GLINT_PREFETCH(address) __builtin_prefetch(address)
+#else
+#define GLINT_PREFETCH(address) static_cast<void>(address)
+#endif
+#endif

@@ -18,6 +18,7 @@ namespace {
 
 using glint::detail::Part;
 using glint::detail::Reference;
+using glint::detail::References;
 
 /// Takes off one reference as long as it may: what no bound on the depth would survive.
 struct Peeler {
@@ -45,8 +46,8 @@ TEST_CASE("grow: the worst splitter reaches the depth limit and does not pass it
   const auto boxes = glint::testing::random_boxes<float>(1000, 4);
   for (const int depth : {3, 10, 12, 64}) {
     const auto tree = glint::detail::grow_tree(
-        glint::Boxes{boxes}, glint::Serial{},
-        [](std::vector<Reference<float>>& r, const auto& /*root*/) { return Peeler{r}; }, 1, depth);
+        glint::Boxes{boxes}, glint::Serial{}, [](References<float>& r, const auto& /*root*/) { return Peeler{r}; }, 1,
+        depth);
     CAPTURE(depth);
     CHECK(tree.depth == depth);
     CHECK(violations(tree, glint::Boxes{boxes}).empty());
@@ -56,8 +57,8 @@ TEST_CASE("grow: the worst splitter reaches the depth limit and does not pass it
 TEST_CASE("grow: nodes are numbered depth first", "[bvh][build]") {
   const auto boxes = glint::testing::random_boxes<float>(4, 5);
   const auto tree = glint::detail::grow_tree(
-      glint::Boxes{boxes}, glint::Serial{},
-      [](std::vector<Reference<float>>& r, const auto& /*root*/) { return Peeler{r}; }, 1, 64);
+      glint::Boxes{boxes}, glint::Serial{}, [](References<float>& r, const auto& /*root*/) { return Peeler{r}; }, 1,
+      64);
   REQUIRE(tree.nodes.size() == 7);
   CHECK(tree.nodes[0].first == 1);
   CHECK(tree.nodes[1].is_leaf());

@@ -15,21 +15,22 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+using glint::detail::Keys;
 using glint::detail::radix_sort;
 
 namespace {
 
 /// Keys whose low bits tell equal ones apart: how std::stable_sort by the high bits leaves them.
-[[nodiscard]] std::vector<std::uint64_t> stably_sorted(std::vector<std::uint64_t> keys, int begin_bit) {
+[[nodiscard]] Keys stably_sorted(Keys keys, int begin_bit) {
   std::stable_sort(keys.begin(), keys.end(),
                    [=](std::uint64_t a, std::uint64_t b) { return (a >> begin_bit) < (b >> begin_bit); });
   return keys;
 }
 
 /// Random in the bits of the mask.
-[[nodiscard]] std::vector<std::uint64_t> random_keys(std::size_t n, std::uint64_t mask) {
+[[nodiscard]] Keys random_keys(std::size_t n, std::uint64_t mask) {
   std::mt19937_64 random(n);
-  std::vector<std::uint64_t> keys(n);
+  Keys keys(n);
   for (std::uint64_t& key : keys) key = random() & mask;
   return keys;
 }
@@ -52,9 +53,9 @@ TEST_CASE("radix sort: orders keys as a stable sort by their high bits does", "[
 }
 
 TEST_CASE("radix sort: keys that agree in all bits looked at stay as they are", "[bvh][build]") {
-  std::vector<std::uint64_t> keys{7, 3, 5, 1};
+  Keys keys{7, 3, 5, 1};
   radix_sort(keys, 3, glint::Serial{});
-  CHECK(keys == std::vector<std::uint64_t>{7, 3, 5, 1});
+  CHECK(keys == Keys{7, 3, 5, 1});
 }
 
 TEST_CASE("radix sort: every executor gives the same order", "[bvh][build]") {

@@ -46,7 +46,7 @@ namespace detail {
 template <std::floating_point T>
 class BinnedSplitter {
  public:
-  BinnedSplitter(const BinnedSah& options, std::vector<Reference<T>>& references)
+  BinnedSplitter(const BinnedSah& options, References<T>& references)
       : options_(options), references_(references), scratch_(references.size()) {}
 
   std::size_t max_leaf_size = 1;
@@ -76,7 +76,7 @@ class BinnedSplitter {
 
   BinnedSah options_;
   std::span<Reference<T>> references_;
-  std::vector<Reference<T>> scratch_;
+  References<T> scratch_;
 };
 
 }  // namespace detail
@@ -86,9 +86,7 @@ Tree<typename S::Scalar, typename S::Index> BinnedSah::build(const S& set, const
   using T = typename S::Scalar;
   return detail::grow_tree(
       set, executor,
-      [this](std::vector<detail::Reference<T>>& r, const auto& /*root*/) {
-        return detail::BinnedSplitter<T>(*this, r);
-      },
+      [this](detail::References<T>& r, const auto& /*root*/) { return detail::BinnedSplitter<T>(*this, r); },
       max_leaf_size, max_depth);
 }
 

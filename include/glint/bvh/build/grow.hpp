@@ -6,13 +6,13 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <glint/bvh/build/reference.hpp>
 #include <glint/bvh/tree.hpp>
+#include <glint/core/uninitialized.hpp>
 
 namespace glint::detail {
 
@@ -37,7 +37,7 @@ class Grower {
         max_depth_(std::clamp(max_depth, 0, Tree<T, I>::max_depth)),
         leaf_(std::max(std::max<std::size_t>(max_leaf_size, 1), shifted_up(root.count, max_depth_))),
         root_(root),
-        nodes_(new Node[2 * (root.count + root.spare) - 1]),  // not initialized: unused pages cost nothing
+        nodes_(2 * (root.count + root.spare) - 1),  // not initialized: unused pages cost nothing
         order_(root.count + root.spare) {}
 
   [[nodiscard]] std::size_t max_leaf_size() const noexcept { return leaf_; }
@@ -130,7 +130,7 @@ class Grower {
   int max_depth_;
   std::size_t leaf_;
   Part<T> root_;
-  std::unique_ptr<Node[]> nodes_;
+  UninitializedVector<Node> nodes_;
   std::vector<I> order_;
   std::atomic<std::size_t> used_{1};
 };
@@ -143,7 +143,7 @@ template <BoundedSet S, typename Executor, typename MakeSplitter>
                                                                     std::size_t max_leaf_size, int max_depth) {
   using T = typename S::Scalar;
   using I = typename S::Index;
-  std::vector<Reference<T>> references = gather(set, executor);
+  References<T> references = gather(set, executor);
   const std::size_t left_out = set.size() - references.size();
   Tree<T, I> tree;
   if (!references.empty()) {

@@ -49,8 +49,7 @@ struct Median {
   [[nodiscard]] Tree<typename S::Scalar, typename S::Index> build(const S& set, const E& executor = {}) const {
     using T = typename S::Scalar;
     return detail::grow_tree(
-        set, executor,
-        [](std::vector<detail::Reference<T>>& r, const auto& /*root*/) { return detail::MedianSplitter<T>{r}; },
+        set, executor, [](detail::References<T>& r, const auto& /*root*/) { return detail::MedianSplitter<T>{r}; },
         max_leaf_size, max_depth);
   }
 };

@@ -244,7 +244,7 @@ template <BoundedSet S, Executor E>
 Tree<typename S::Scalar, typename S::Index> Morton::build(const S& set, const E& executor) const {
   using T = typename S::Scalar;
   using I = typename S::Index;
-  const std::vector<detail::Reference<T>> references = detail::gather(set, executor);
+  const detail::References<T> references = detail::gather(set, executor);
   Tree<T, I> tree;
   tree.left_out = set.size() - references.size();
   if (references.empty()) return tree;

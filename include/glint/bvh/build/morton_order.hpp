@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include <glint/bvh/build/radix_sort.hpp>
 #include <glint/bvh/build/reference.hpp>
@@ -34,7 +33,7 @@ namespace glint::detail {
 template <std::floating_point T>
 struct MortonOrder {
   int place_bits = 0;
-  std::vector<std::uint64_t> keys;
+  Keys keys;
 
   /// Requires: references in the box; at least one.
   template <typename Executor>

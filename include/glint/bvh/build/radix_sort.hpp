@@ -6,8 +6,11 @@
 #include <vector>
 
 #include <glint/bvh/build/reference.hpp>
+#include <glint/core/uninitialized.hpp>
 
 namespace glint::detail {
+
+using Keys = UninitializedVector<std::uint64_t>;
 
 /// A number for each value of a byte, in each chunk of the keys.
 using PerByte = std::array<std::size_t, 256>;
@@ -18,8 +21,7 @@ using PerByte = std::array<std::size_t, 256>;
 
 /// How often each byte occurs in each chunk.
 template <typename Executor>
-void count_bytes(const std::vector<std::uint64_t>& keys, int shift, std::vector<PerByte>& counts,
-                 const Executor& executor) {
+void count_bytes(const Keys& keys, int shift, std::vector<PerByte>& counts, const Executor& executor) {
   for_each_chunk(keys.size(), executor, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     PerByte count{};  // local: no cache line shared by threads
     for (std::size_t i = begin; i != end; ++i) ++count[byte_at(keys[i], shift)];
@@ -45,8 +47,8 @@ void count_bytes(const std::vector<std::uint64_t>& keys, int shift, std::vector<
 
 /// Puts each key in its place.
 template <typename Executor>
-void deal_bytes(const std::vector<std::uint64_t>& keys, int shift, const std::vector<PerByte>& places,
-                std::vector<std::uint64_t>& sorted, const Executor& executor) {
+void deal_bytes(const Keys& keys, int shift, const std::vector<PerByte>& places, Keys& sorted,
+                const Executor& executor) {
   for_each_chunk(keys.size(), executor, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     PerByte place = places[chunk];
     for (std::size_t i = begin; i != end; ++i) sorted[place[byte_at(keys[i], shift)]++] = keys[i];
@@ -60,8 +62,8 @@ void deal_bytes(const std::vector<std::uint64_t>& keys, int shift, const std::ve
 /// Cost:     O(n) a byte; as much memory again as the keys.
 /// Threads:  counts and moves by chunks; the order is unique, so it depends on no executor.
 template <typename Executor>
-void radix_sort(std::vector<std::uint64_t>& keys, int begin_bit, const Executor& executor) {
-  std::vector<std::uint64_t> sorted = keys;
+void radix_sort(Keys& keys, int begin_bit, const Executor& executor) {
+  Keys sorted(keys.size());
   std::vector<PerByte> places(chunks(keys.size()));
   for (int shift = begin_bit; shift < 64; shift += 8) {
     count_bytes(keys, shift, places, executor);

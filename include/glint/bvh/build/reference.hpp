@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <glint/core/config.hpp>
+#include <glint/core/uninitialized.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/math/constants.hpp>
@@ -92,6 +93,10 @@ struct Reference {
   }
 };
 
+/// What a builder moves about.
+template <std::floating_point T>
+using References = UninitializedVector<Reference<T>>;
+
 /// A run of references, which becomes a leaf of these slots or is split.
 template <std::floating_point T, int W = Pack<T, 4>::width>
 struct Part {
@@ -147,12 +152,12 @@ template <std::floating_point T>
 ///
 /// Requires: set.size() fits the index type, and 32 bits where the scalar is `float`.
 template <BoundedSet S, typename Executor>
-[[nodiscard]] std::vector<Reference<typename S::Scalar>> gather(const S& set, const Executor& executor) {
+[[nodiscard]] References<typename S::Scalar> gather(const S& set, const Executor& executor) {
   using T = typename S::Scalar;
   using I = typename S::Index;
   GLINT_ASSERT(set.size() <= std::numeric_limits<I>::max());
   GLINT_ASSERT(set.size() <= std::numeric_limits<typename Reference<T>::Bits>::max());
-  std::vector<Reference<T>> references(set.size());
+  References<T> references(set.size());
   std::vector<std::size_t> kept(chunks(references.size()));
   for_each_chunk(references.size(), executor, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     std::size_t next = begin;

@@ -213,7 +213,7 @@ class SpatialSplitter {
   using T = typename S::Scalar;
   using Parts = std::pair<Part<T>, Part<T>>;
 
-  SpatialSplitter(const SpatialSah& options, const S& set, std::vector<Reference<T>>& references, const Part<T>& root)
+  SpatialSplitter(const SpatialSah& options, const S& set, References<T>& references, const Part<T>& root)
       : options_(options), set_(set), min_overlap_(T(options.min_overlap) * root.box.half_area()) {
     const std::size_t count = references.size();
     const double most = std::min(double(std::numeric_limits<typename S::Index>::max() / 2),  // nodes are twice as many
@@ -291,7 +291,7 @@ class SpatialSplitter {
   const S& set_;
   T min_overlap_;
   std::span<Reference<T>> references_;
-  std::vector<Reference<T>> scratch_;
+  References<T> scratch_;
 };
 
 }  // namespace detail
@@ -301,7 +301,7 @@ Tree<typename S::Scalar, typename S::Index> SpatialSah::build(const S& set, cons
   using T = typename S::Scalar;
   return detail::grow_tree(
       set, executor,
-      [&](std::vector<detail::Reference<T>>& r, const detail::Part<T>& root) {
+      [&](detail::References<T>& r, const detail::Part<T>& root) {
         return detail::SpatialSplitter<S>(*this, set, r, root);
       },
       max_leaf_size, max_depth);

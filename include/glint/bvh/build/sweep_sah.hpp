@@ -173,9 +173,7 @@ Tree<typename S::Scalar, typename S::Index> SweepSah::build(const S& set, const 
   using T = typename S::Scalar;
   return detail::grow_tree(
       set, executor,
-      [&](std::vector<detail::Reference<T>>& r, const auto& /*root*/) {
-        return detail::SweepSplitter<T>(*this, r, executor);
-      },
+      [&](detail::References<T>& r, const auto& /*root*/) { return detail::SweepSplitter<T>(*this, r, executor); },
       max_leaf_size, max_depth);
 }
 

@@ -256,10 +256,22 @@ class TriangleBlocks {
       if (!node.is_leaf()) continue;
       const std::size_t begin = next;
       std::span<const Index> rest = order.subspan(node.first, node.count);
+      fetch_soon(mesh, order, node);
       for (; !rest.empty(); rest = rest.subspan(std::min(rest.size(), block_size)))
         blocks_[next++] = Block(mesh, rest.first(std::min(rest.size(), block_size)));
       node.first = Index(begin);
       node.count = Index(next - begin);
+    }
+  }
+  /// What the next leaves are made of lies scattered: their vertices, and further on their indices, are asked for
+  /// early.
+  static void fetch_soon(const Mesh& mesh, std::span<const Index> order, const BinaryNode<T, Index>& leaf) noexcept {
+    constexpr std::size_t ahead = 4 * block_size;
+    if (order.size() - leaf.first <= 2 * ahead + leaf.count) return;
+    const Index* const next = order.data() + leaf.first + ahead;
+    for (std::size_t i = 0; i != leaf.count; ++i) {
+      GLINT_PREFETCH(mesh.positions.at(mesh.triangles[next[i]][0]));
+      GLINT_PREFETCH(mesh.triangles.at(next[i + ahead]));
     }
   }
   /// Lanes tested one by one.

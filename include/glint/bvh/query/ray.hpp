@@ -80,12 +80,8 @@ class RayQuery {
 
   template <typename Boxes>
   [[nodiscard]] GLINT_ALWAYS_INLINE Entered<T, N> enter(const Boxes& boxes) const noexcept {
-    const auto entry = [&](std::size_t axis) { return boxes.plane(entry_plane_[axis]) * scale_[axis] + offset_[axis]; };
-    const auto departure = [&](std::size_t axis) {
-      return boxes.plane(2 * axis + 3 - entry_plane_[axis]) * scale_[axis + 3] + offset_[axis + 3];
-    };
-    const P first = max(max(entry(0), entry(1)), max(entry(2), t_min_));
-    const P last = min(min(departure(0), departure(1)), min(departure(2), limits_));
+    const P first = max(max(entry(boxes, 0), entry(boxes, 1)), max(entry(boxes, 2), t_min_));
+    const P last = min(min(departure(boxes, 0), departure(boxes, 1)), min(departure(boxes, 2), limits_));
     return {less_equal(first, last), first};
   }
   /// Just beyond the ray's end.
@@ -101,6 +97,15 @@ class RayQuery {
   static constexpr T stretch = T(2) * rounding_bound<T>(4);
   /// A ray that goes this much less along an axis than along another is taken to be parallel.
   static constexpr T parallel = T(1 << 30);
+
+  template <typename Boxes>
+  [[nodiscard]] GLINT_ALWAYS_INLINE P entry(const Boxes& boxes, std::size_t axis) const noexcept {
+    return boxes.plane(entry_plane_[axis]) * scale_[axis] + offset_[axis];
+  }
+  template <typename Boxes>
+  [[nodiscard]] GLINT_ALWAYS_INLINE P departure(const Boxes& boxes, std::size_t axis) const noexcept {
+    return boxes.plane(2 * axis + 3 - entry_plane_[axis]) * scale_[axis + 3] + offset_[axis + 3];
+  }
 
   GLINT_ALWAYS_INLINE void set_limit(T limit) noexcept {
     limit_ = limit;
