@@ -23,7 +23,7 @@ using glint::Serial;
 using namespace glint::detail;
 
 template <typename T>
-std::vector<Reference<T>> references_to(const std::vector<Aabb<T>>& boxes) {
+References<T> references_to(const std::vector<Aabb<T>>& boxes) {
   return gather(glint::Boxes{boxes}, Serial{});
 }
 
