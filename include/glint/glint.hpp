@@ -146,6 +146,7 @@
 #include <glint/math/distribution.hpp>
 #include <glint/math/frame.hpp>
 #include <glint/math/interval.hpp>
+#include <glint/math/low_discrepancy.hpp>
 #include <glint/math/random.hpp>
 #include <glint/math/rounding.hpp>
 #include <glint/math/solve.hpp>
@@ -156,8 +157,11 @@
 #include <glint/render/render.hpp>
 #include <glint/render/report.hpp>
 #include <glint/sampler/concepts.hpp>
+#include <glint/sampler/halton.hpp>
 #include <glint/sampler/independent.hpp>
+#include <glint/sampler/sobol.hpp>
 #include <glint/sampler/stratified.hpp>
+#include <glint/sampler/z_sobol.hpp>
 #include <glint/scene/concepts.hpp>
 #include <glint/scene/counted.hpp>
 #include <glint/scene/interaction.hpp>

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <glint/math/low_discrepancy.hpp>
 #include <glint/math/random.hpp>
 #include <support/catch.hpp>
 
@@ -78,6 +79,22 @@ struct Impure {
   [[nodiscard]] Stream stream(const Vec2i& /*pixel*/, int /*sample*/) const { return {random}; }
 };
 
+/// Sobol's points as they are, but for what `shift` adds to the second coordinate of pairs.
+struct Net {
+  float shift = 0;
+
+  struct Stream {
+    glint::Vec2<float> point;
+    [[nodiscard]] float next_1d() const { return point.x; }
+    [[nodiscard]] Vec2<float> next_2d() const { return point; }
+  };
+  [[nodiscard]] Stream stream(const Vec2i& /*pixel*/, int sample) const {
+    const auto point = glint::sobol_point(static_cast<std::uint32_t>(sample));
+    const float y = glint::to_unit_float<float>(point[1]) + shift;
+    return {{glint::to_unit_float<float>(point[0]), y < 1 ? y : y - 1}};
+  }
+};
+
 bool mentions(const std::vector<std::string>& violations, const std::string& word) {
   for (const std::string& violation : violations) {
     if (violation.find(word) != std::string::npos) return true;
@@ -121,4 +138,15 @@ TEST_CASE("sampler_laws: equal dimensions correlate", "[testing][sampler_laws]")
 TEST_CASE("sampler_laws: hidden state is found out", "[testing][sampler_laws]") {
   Random random{3};
   CHECK(mentions(violations_of_sampler_laws(Impure{&random}), "differs when asked for again"));
+}
+
+TEST_CASE("sampler_laws: nets are told from what is even in each dimension alone", "[testing][sampler_laws]") {
+  using glint::testing::violations_of_net_laws;
+  CHECK(violations_of_net_laws(Net{}, {0, 0}).empty());
+  // Turned by 1/4, the numbers y are still one in each interval, but two points of four share a quarter of the square.
+  const auto turned = violations_of_net_laws(Net{0.25F}, {0, 0});
+  CHECK(mentions(turned, "dimension 1: not one in each of 2^1 x 2^1 cells"));
+  CHECK_FALSE(mentions(turned, "dimension 0"));
+  CHECK(mentions(violations_of_net_laws(Changed{[](Random& random) { return random.uniform<float>(); }}, {0, 0}),
+                 "dimension 0: not one in each of 2^8 x 2^0 cells"));
 }
