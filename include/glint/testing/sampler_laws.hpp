@@ -203,13 +203,12 @@ template <SampleSequence Q>
   std::vector<detail::Numbers> rows;
   for (int i = 0; i < 2 << max_m; ++i) rows.push_back(detail::numbers(sequence, pixel, i));
   std::vector<std::string> violations;
-  for (int m = 0; m <= max_m; ++m) {
+  for (int block = 0; block < 2 * (max_m + 1); ++block) {
+    const int m = block / 2;
     const std::size_t size = std::size_t{1} << m;
-    for (const std::size_t first : {std::size_t{0}, size}) {
-      for (const std::string& violation : detail::violations_of_net(std::span(rows).subspan(first, size), m)) {
-        violations.push_back(std::to_string(size) + " samples from " + std::to_string(first) + " on: " + violation);
-      }
-    }
+    const std::size_t first = block % 2 == 0 ? 0 : size;
+    for (const std::string& violation : detail::violations_of_net(std::span(rows).subspan(first, size), m))
+      violations.push_back(std::to_string(size) + " samples from " + std::to_string(first) + " on: " + violation);
   }
   return violations;
 }
