@@ -247,9 +247,18 @@ TEST_CASE("scene settings: samplers and accelerators", "[io][scene]") {
   REQUIRE(sequence.get_if<glint::Stratified>() != nullptr);
   CHECK(sequence.get_if<glint::Stratified>()->samples_per_pixel == 16);
   CHECK(sequence.get_if<glint::Stratified>()->seed == 7);
-  CHECK(glint::sequence_of({.seed = 3}, 1).get_if<glint::Independent>()->seed == 3);
+  CHECK(glint::sequence_of({.seed = 3}, 20) == glint::SceneSequence(glint::ZSobol{.samples_per_pixel = 20, .seed = 3}));
+  const auto sequence_named = [](const std::string& type) {
+    JsonText named(R"({"seed": 5, "type": ")" + type + "\"}");
+    return sequence_of(read_sampler(named.object()), 9);
+  };
+  CHECK(sequence_named("independent") == glint::SceneSequence(glint::Independent{.seed = 5}));
+  CHECK(sequence_named("halton") == glint::SceneSequence(glint::Halton{.seed = 5}));
+  CHECK(sequence_named("sobol") == glint::SceneSequence(glint::Sobol{.seed = 5}));
+  CHECK(sequence_named("zsobol") == glint::SceneSequence(glint::ZSobol{.samples_per_pixel = 9, .seed = 5}));
   CHECK(json_error(R"({"type": "sobl"})", glint::read_sampler) ==
-        "/x/type: found \"sobl\", expected one of \"independent\", \"stratified\"");
+        "/x/type: found \"sobl\", expected one of \"independent\", \"stratified\", \"halton\", \"sobol\", \"zsobol\"; "
+        "did you mean \"sobol\"?");
 
   JsonText accelerator(R"({"builder": "sweep_sah"})");
   CHECK(read_accelerator(accelerator.object()).builder == glint::BuilderKind::SweepSah);

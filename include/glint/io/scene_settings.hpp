@@ -20,8 +20,11 @@
 #include <glint/io/json_object.hpp>
 #include <glint/light/point.hpp>
 #include <glint/math/constants.hpp>
+#include <glint/sampler/halton.hpp>
 #include <glint/sampler/independent.hpp>
+#include <glint/sampler/sobol.hpp>
 #include <glint/sampler/stratified.hpp>
+#include <glint/sampler/z_sobol.hpp>
 
 /// What a scene file says about how to render it: everything but the scene itself.
 namespace glint {
@@ -29,7 +32,7 @@ namespace glint {
 using SceneCamera = OneOf<Perspective, ThinLens, Orthographic, Panoramic>;
 using SceneFilter = OneOf<BoxFilter, TentFilter, GaussianFilter, MitchellFilter>;
 using SceneIntegrator = OneOf<IntersectionTest, Path>;
-using SceneSequence = OneOf<Independent, Stratified>;
+using SceneSequence = OneOf<Independent, Stratified, Halton, Sobol, ZSobol>;
 
 struct FilmSettings {
   Vec2i resolution{600, 600};
@@ -42,10 +45,10 @@ struct IntegratorSettings {
   std::vector<PointLight> point_lights{};  ///< those that the integrator's own keys name
 };
 
-enum class SamplerKind : std::uint8_t { Independent, Stratified };
+enum class SamplerKind : std::uint8_t { Independent, Stratified, Halton, Sobol, ZSobol };
 
 struct SamplerSettings {
-  SamplerKind kind = SamplerKind::Independent;
+  SamplerKind kind = SamplerKind::ZSobol;
   std::uint64_t seed = 0;
 };
 
@@ -57,7 +60,18 @@ struct AcceleratorSettings {
 
 /// The random numbers that the settings ask for.
 [[nodiscard]] inline SceneSequence sequence_of(const SamplerSettings& settings, int samples) {
-  if (settings.kind == SamplerKind::Stratified) return Stratified{.samples_per_pixel = samples, .seed = settings.seed};
+  switch (settings.kind) {
+    case SamplerKind::Stratified:
+      return Stratified{.samples_per_pixel = samples, .seed = settings.seed};
+    case SamplerKind::Halton:
+      return Halton{.seed = settings.seed};
+    case SamplerKind::Sobol:
+      return Sobol{.seed = settings.seed};
+    case SamplerKind::ZSobol:
+      return ZSobol{.samples_per_pixel = samples, .seed = settings.seed};
+    case SamplerKind::Independent:
+      break;
+  }
   return Independent{.seed = settings.seed};
 }
 
@@ -239,10 +253,14 @@ inline constexpr std::array<std::pair<std::string_view, CameraKind>, 4> camera_k
 }
 
 [[nodiscard]] inline SamplerSettings read_sampler(JsonObject object) {
-  static constexpr std::array<std::pair<std::string_view, SamplerKind>, 2> kinds{
-      {{"independent", SamplerKind::Independent}, {"stratified", SamplerKind::Stratified}}};
+  static constexpr std::array<std::pair<std::string_view, SamplerKind>, 5> kinds{
+      {{"independent", SamplerKind::Independent},
+       {"stratified", SamplerKind::Stratified},
+       {"halton", SamplerKind::Halton},
+       {"sobol", SamplerKind::Sobol},
+       {"zsobol", SamplerKind::ZSobol}}};
   SamplerSettings result;
-  result.kind = detail::choice_or(object, "type", SamplerKind::Independent, kinds);
+  result.kind = detail::choice_or(object, "type", SamplerKind::ZSobol, kinds);
   result.seed = object.read_or("seed", std::uint64_t{0}, [](const JsonValue& v) { return v.seed(); });
   object.finish();
   return result;
