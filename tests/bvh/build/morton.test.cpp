@@ -58,14 +58,17 @@ namespace {
 
 }  // namespace
 
-TEST_CASE("morton: a run of nested cells is halved after so many steps", "[bvh][build]") {
+TEST_CASE("morton: cells nest as deep as keys do, and no deeper than the limit", "[bvh][build]") {
   // 57 points are one run, and their codes have 19 bits an axis. The first three steps take off two points each (1 is
-  // in the last cell, which begins below 1, and shares its first bit with ½), the other 21 one each. That leaves 30,
-  // which are halved in ⌈log₂ 30⌉ = 5 steps: 24 + 5.
+  // in the last cell, which begins below 1, and shares its first bit with ½), the other 50 one each, the last of which
+  // leaves one: 57 = 3 · 2 + 50 + 1.
   const auto boxes = nested_cells(1);
   const auto tree = Morton{.block_size = 1, .max_leaf_size = 1}.build(Boxes{boxes});
-  CHECK(tree.depth == 29);
+  CHECK(tree.depth == 53);
   CHECK(violations(tree, Boxes{boxes}).empty());
+  const auto lower = Morton{.block_size = 1, .max_leaf_size = 1, .max_depth = 52}.build(Boxes{boxes});
+  CHECK(lower.depth <= 52);
+  CHECK(violations(lower, Boxes{boxes}).empty());
 }
 
 TEST_CASE("morton: the depth stays within its limit where runs are nested", "[bvh][build]") {

@@ -6,8 +6,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glint/bvh/build/binned_sah.hpp>
@@ -15,7 +15,9 @@
 #include <glint/bvh/build/reference.hpp>
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/tree.hpp>
+#include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
+#include <glint/core/uninitialized.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/boxes.hpp>
 #include <glint/geometry/concepts.hpp>
@@ -26,7 +28,7 @@ namespace glint {
 /// some dozens become subtrees, and a surface area heuristic builds the tree above those. A third of the building time
 /// of BinnedSah or less, for rays that take about a tenth longer.
 ///
-/// Leaves are made bottom-up, where that is no dearer than the nodes below.
+/// Leaves begin as runs of a block and are joined bottom-up, where that is no dearer than the nodes below.
 ///
 /// Ensures: the depth is at most `max_depth`; where the subtrees leave no room for that, BinnedSah builds the tree.
 /// Cost:    O(n): a radix sort, and O(n / 64 · log n) above the subtrees.
@@ -57,7 +59,7 @@ struct Morton {
 
 namespace detail {
 
-/// A subtree over a run of the order, numbered depth first from 0 but for its root, which is here.
+/// A subtree over a run of the order. Its nodes but the root, which is here, are numbered from 0, children first.
 template <std::floating_point T>
 struct Treelet {
   PackedBox<T> box;
@@ -76,10 +78,13 @@ struct TreeletPlace {
   std::size_t first_slot;
 };
 
-/// Cuts an order into runs and makes a subtree of each.
+/// Cuts an order into runs and makes a subtree of each: both by the first bits in which keys differ.
 ///
-/// Each run is split where its keys' first differing bit changes, at most `cell_steps` times on a path, and then in the
-/// middle. So subtrees are no higher than `cell_steps` + log₂ `max_size`, whatever the keys.
+/// A run is first parted in leaves, as full as costs no more than a single primitive. Then the subtree is made in one
+/// pass from left to right: the higher the bit that changes between two neighbors, the later what lies on either side
+/// is joined.
+///
+/// Source: the pass: Apetrei, "Fast and Simple Agglomerative LBVH Construction", CGVC 2014, here one after another.
 template <std::floating_point T, std::unsigned_integral I>
 class Treelets {
  public:
@@ -88,20 +93,21 @@ class Treelets {
     I first, count;
   };
   static constexpr std::size_t max_size = 64;
-  static constexpr int cell_steps = 24;
 
   Treelets(const Morton& options, std::span<const Reference<T>> references, const MortonOrder<T>& order)
       : options_(options),
+        first_leaf_(std::clamp<std::size_t>(options.block_size, 1, std::max<std::size_t>(1, options.max_leaf_size))),
         references_(references),
         order_(order),
-        nodes_(new Node[2 * references.size()]) {}  // not initialized: unused pages cost nothing
+        nodes_(room(references.size())),
+        indices_(references.size()) {}
 
   /// The subtrees of the run [begin, end), in its order.
   template <typename Executor>
   [[nodiscard]] std::vector<Treelet<T>> cut(std::size_t begin, std::size_t end, const Executor& executor) {
     std::vector<Treelet<T>> left;
     if (end - begin <= fork_size) {
-      std::size_t free = 2 * begin;
+      std::size_t free = room(begin);
       cut(begin, end, free, left);
       return left;
     }
@@ -112,36 +118,59 @@ class Treelets {
     return left;
   }
 
-  /// Writes a treelet to its place in a tree that has room for it.
+  /// Writes a treelet to its place in a tree that has room for it, depth first.
   void copy(const Treelet<T>& from, const TreeletPlace& to, Tree<T, I>& tree) const noexcept {
+    struct Pending {
+      const Node* node;
+      std::size_t to;
+    };
+    std::array<Pending, max_size + 1> pending;  // not initialized
+    std::size_t waiting = 0;
+    std::size_t free = to.first_node;
+    const Node* nodes = nodes_.data() + from.nodes;
+    const auto write = [&](std::size_t at, const Aabb<T>& box, I first, I count) {
+      tree.nodes[at] = {box, I(count == 0 ? free : to.first_slot + first), count};
+      if (count != 0) return;
+      pending[waiting++] = {nodes + first + 1, free + 1};
+      pending[waiting++] = {nodes + first, free};
+      free += 2;
+    };
     const bool is_leaf = from.node_count == 0;
-    tree.nodes[to.root] = {from.box.box(), I(is_leaf ? to.first_slot : to.first_node), I(is_leaf ? from.count : 0)};
-    const Node* node = nodes_.get() + from.nodes;
-    for (std::size_t i = to.first_node; i != to.first_node + from.node_count; ++i, ++node) {
-      tree.nodes[i] = {
-          {{node->lower[0], node->lower[1], node->lower[2]}, {node->upper[0], node->upper[1], node->upper[2]}},
-          I(node->first + (node->count == 0 ? to.first_node : to.first_slot)),
-          node->count};
+    write(to.root, from.box.box(), I(is_leaf ? 0 : from.node_count - 2), I(is_leaf ? from.count : 0));
+    while (waiting != 0) {
+      const auto [node, at] = pending[--waiting];
+      write(at, {{node->lower[0], node->lower[1], node->lower[2]}, {node->upper[0], node->upper[1], node->upper[2]}},
+            node->first, node->count);
     }
-    for (std::size_t i = 0; i != from.count; ++i)
-      tree.order[to.first_slot + i] = I(references_[order_.place(from.begin + i)].index());
+    std::copy_n(indices_.data() + from.begin, from.count, tree.order.begin() + std::ptrdiff_t(to.first_slot));
   }
 
  private:
   static constexpr std::size_t fork_size = 8192;
 
+  /// What has been made of a part of a run: a leaf, or a node whose children are `first` and the next.
   struct Subtree {
     PackedBox<T> box;
     T cost;
-    int height;
+    int height;         ///< 0: a leaf
+    std::size_t begin;  ///< within the run
+    std::size_t size;
+    std::size_t first;
+    std::size_t below;  ///< nodes when the first of those below it was made
+
+    [[nodiscard]] bool is_leaf() const noexcept { return height == 0; }
   };
-  /// What the recursion within a treelet needs beside its run.
-  struct Run {
-    std::array<PackedBox<T>, max_size> boxes;
-    std::size_t begin;
-    Node* nodes;
-    std::size_t used = 0;
+  /// Subtrees side by side, and the bits that change between each and the next.
+  struct Row {
+    std::array<Subtree, max_size> subtrees;
+    std::array<std::uint64_t, max_size> changes;
+    std::size_t size = 0;
   };
+
+  /// The nodes that subtrees over n primitives may have, without their roots: two for each leaf of a run but the last.
+  [[nodiscard]] std::size_t room(std::size_t n) const noexcept { return 2 * (n / least_leaf()); }
+  /// How many primitives the leaves of a run have at least, all but the last, before any are joined.
+  [[nodiscard]] std::size_t least_leaf() const noexcept { return (first_leaf_ + 1) / 2; }
 
   void cut(std::size_t begin, std::size_t end, std::size_t& free, std::vector<Treelet<T>>& out) {
     if (end - begin > max_size) {
@@ -150,54 +179,83 @@ class Treelets {
       cut(middle, end, free, out);
       return;
     }
-    Run run;  // its boxes not initialized
-    run.begin = begin;
-    run.nodes = nodes_.get() + free;
-    for (std::size_t i = begin; i != end; ++i) {
-      const Reference<T>& r = references_[order_.place(i)];
-      run.boxes[i - begin] = {r.lower, r.upper};
-    }
-    const Subtree root = grow(run, 0, end - begin, 0);
-    out.push_back({root.box, begin, end - begin, free, run.used, root.height});
-    free += run.used;
+    const auto [root, used] = grow(begin, end, nodes_.data() + free);
+    out.push_back({root.box, begin, end - begin, free, used, root.height});
+    free += used;
   }
 
-  /// Writes the nodes below the root of [begin, end), or none if it is a leaf.
-  Subtree grow(Run& run, std::size_t begin, std::size_t end, int depth) {
-    const T test = T(options_.intersection_cost);
-    if (end - begin == 1) return {run.boxes[begin], run.boxes[begin].half_area() * test, 0};
-    const std::size_t middle =
-        depth < cell_steps ? order_.split(run.begin + begin, run.begin + end) - run.begin : begin + (end - begin) / 2;
-    const std::size_t first = run.used;
-    run.used += 2;
-    const Subtree left = grow(run, begin, middle, depth + 1);
-    write(run, first, first + 2, begin, middle, left);
-    const std::size_t between = run.used;
-    const Subtree right = grow(run, middle, end, depth + 1);
-    write(run, first + 1, between, middle, end, right);
-    Subtree result{left.box, T(0), std::max(left.height, right.height) + 1};
-    result.box.extend(right.box);
-    const T area = result.box.half_area();
-    result.cost = T(options_.traversal_cost) * area + left.cost + right.cost;
-    if (end - begin > std::max<std::size_t>(1, options_.max_leaf_size)) return result;
-    const T leaf_cost = test * area * T(blocks(end - begin, options_.block_size));
-    if (leaf_cost > result.cost) return result;
-    run.used = first;
-    return {result.box, leaf_cost, 0};
+  /// The subtree of a run, and how many nodes there are below its root.
+  [[nodiscard]] std::pair<Subtree, std::size_t> grow(std::size_t begin, std::size_t end, Node* nodes) noexcept {
+    Row row;                                   // its subtrees not initialized
+    std::array<PackedBox<T>, max_size> boxes;  // fetched at once: each comes from somewhere else
+    for (std::size_t i = begin; i != end; ++i) {
+      const Reference<T>& r = references_[order_.place(i)];
+      boxes[i - begin] = {r.lower, r.upper};
+      indices_[i] = I(r.index());
+    }
+    fetch_soon(end, std::min(end + (end - begin), references_.size()));
+    std::size_t used = 0;
+    for (std::size_t i = begin; i != end;) {
+      const std::size_t n = leaf_size(i, end);
+      PackedBox<T> box = boxes[i - begin];
+      for (std::size_t k = 1; k != n; ++k) box.extend(boxes[i - begin + k]);
+      row.subtrees[row.size] = {box, box.half_area() * T(options_.intersection_cost), 0, i - begin, n, 0, used};
+      i += n;
+      const std::uint64_t change = i == end ? ~std::uint64_t{0} : order_.keys[i - 1] ^ order_.keys[i];
+      for (; row.size != 0 && row.changes[row.size - 1] <= change; --row.size)  // never equal but at the end
+        join(row.subtrees[row.size - 1], row.subtrees[row.size], nodes, used);
+      row.changes[row.size++] = change;
+    }
+    return {row.subtrees[0], used};
   }
-  static void write(Run& run, std::size_t at, std::size_t below, std::size_t begin, std::size_t end,
-                    const Subtree& s) noexcept {
-    const bool is_leaf = run.used == below;
-    run.nodes[at] = {{s.box.lower[0], s.box.lower[1], s.box.lower[2]},
-                     {s.box.upper[0], s.box.upper[1], s.box.upper[2]},
-                     I(is_leaf ? begin : below),
-                     I(is_leaf ? end - begin : 0)};
+  /// How many primitives the leaf has that begins at i. It ends where keys change most.
+  [[nodiscard]] std::size_t leaf_size(std::size_t i, std::size_t end) const noexcept {
+    if (end - i <= first_leaf_) return end - i;
+    std::size_t size = least_leaf();
+    std::uint64_t most = 0;
+    for (std::size_t n = size; n <= first_leaf_; ++n) {
+      const std::uint64_t change = order_.keys[i + n - 1] ^ order_.keys[i + n];
+      if (change >= most) size = n;
+      most = std::max(most, change);
+    }
+    return size;
+  }
+  /// Makes one subtree of two neighbors, in the place of the left one.
+  void join(Subtree& left, const Subtree& right, Node* nodes, std::size_t& used) const noexcept {
+    PackedBox<T> box = left.box;
+    box.extend(right.box);
+    const T area = box.half_area();
+    const T cost = T(options_.traversal_cost) * area + left.cost + right.cost;
+    const std::size_t size = left.size + right.size;
+    if (size <= options_.max_leaf_size) {
+      const T leaf_cost = T(options_.intersection_cost) * area * T(blocks(size, options_.block_size));
+      if (leaf_cost <= cost) {
+        used = left.below;
+        left = {box, leaf_cost, 0, left.begin, size, 0, used};
+        return;
+      }
+    }
+    write(nodes[used], left);
+    write(nodes[used + 1], right);
+    left = {box, cost, std::max(left.height, right.height) + 1, left.begin, size, used, left.below};
+    used += 2;
+  }
+  static void write(Node& node, const Subtree& s) noexcept {
+    node = {{s.box.lower[0], s.box.lower[1], s.box.lower[2]},
+            {s.box.upper[0], s.box.upper[1], s.box.upper[2]},
+            I(s.is_leaf() ? s.begin : s.first),
+            I(s.is_leaf() ? s.size : 0)};
+  }
+  void fetch_soon(std::size_t begin, std::size_t end) const noexcept {
+    for (std::size_t i = begin; i < end; ++i) GLINT_PREFETCH(&references_[order_.place(i)]);
   }
 
   Morton options_;
+  std::size_t first_leaf_;  ///< the most primitives of a leaf before any are joined
   std::span<const Reference<T>> references_;
   const MortonOrder<T>& order_;
-  std::unique_ptr<Node[]> nodes_;
+  UninitializedVector<Node> nodes_;
+  UninitializedVector<I> indices_;  ///< in the order
 };
 
 /// Makes room in a tree for the nodes of `top`, each leaf of which is a treelet, and for all treelets; writes the inner
