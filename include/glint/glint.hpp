@@ -67,6 +67,7 @@
 #include <glint/core/fixed_stack.hpp>
 #include <glint/core/index.hpp>
 #include <glint/core/one_of.hpp>
+#include <glint/core/prefetch.hpp>
 #include <glint/core/strided.hpp>
 #include <glint/core/tbb_executor.hpp>
 #include <glint/core/uninitialized.hpp>

@@ -36,12 +36,14 @@ std::size_t check_leaves(const Set& set, Choice choice) {
   std::size_t hits = 0;
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);
-    const auto rays = glint::testing::pencil_of_rays<T>(glint::testing::scene_box<T>(), 1 + seed % 16, T(0.1), seed);
+    const auto rays = glint::testing::of_one_course(
+        glint::testing::pencil_of_rays<T>(glint::testing::scene_box<T>(), 1 + seed % 16, T(0.1), seed));
     const RayPacket<T> packet(rays);
     if (!is_coherent(packet, T(1))) continue;
-    LeavesForPacket<decltype(leaves), Set> many(leaves, set, packet);
+    glint::PacketQuery<T> query(packet, T(2));
+    LeavesForPacket<decltype(leaves), Set> many(leaves, set, packet, query);
     PacketHits<T, I> best(packet);
-    const std::uint32_t asked = packet.all() & 0x5555U;
+    const std::uint32_t asked = packet.members & 0x5555U;
     for (const auto& node : tree.nodes) {
       if (!node.is_leaf()) continue;
       const glint::Slots<I> slots{node.first, node.count};
@@ -51,9 +53,9 @@ std::size_t check_leaves(const Set& set, Choice choice) {
       for (std::size_t i = 0; i < rays.size(); ++i) {
         const auto prepared = leaves.prepare(set, rays[i]);
         const bool asks = ((asked >> i) & 1U) != 0;
-        Hit<T, I> expected = before.hit[i];
+        Hit<T, I> expected = before[int(i)];
         const bool better = asks && leaves.closest(set, rays[i], prepared, slots, expected);
-        CHECK(best.hit[i] == expected);
+        CHECK(best[int(i)] == expected);
         CHECK(best.t[int(i)] == expected.t);
         CHECK((((improved >> i) & 1U) != 0) == better);
         CHECK((((occluded >> i) & 1U) != 0) == (asks && leaves.occluded(set, rays[i], prepared, slots)));

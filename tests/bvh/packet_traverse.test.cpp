@@ -46,28 +46,35 @@ struct Met {
   glint::Company walk(const std::vector<Ray<float>>& rays) {
     of_ray.assign(rays.size(), {});
     const RayPacket<float> packet(rays);
-    const glint::PacketQuery<float, Nodes::width> query(packet, 0.0F);
+    const glint::PacketQuery<float> query(packet, 0.0F);
+    std::vector<Link<unsigned>> fetched{nodes.empty() ? Link<unsigned>{} : nodes.root()};
+    const auto is_fetched = [&](const Link<unsigned>& link) {
+      return std::find(fetched.begin(), fetched.end(), link) != fetched.end();
+    };
     const auto visit = [&](Slots<unsigned> slots, std::uint32_t mask) {
+      CHECK(is_fetched({slots.first, slots.count}));
       ++together;
       for (std::size_t i = 0; i < rays.size(); ++i)
         if (((mask >> i) & 1U) != 0) add(rays, i, slots);
     };
     const auto visit_alone = [&](Link<unsigned> link, std::uint32_t mask) {
       CHECK(std::popcount(mask) < 8);
+      CHECK(is_fetched(link));
       for (std::size_t i = 0; i < rays.size(); ++i) {
         if (((mask >> i) & 1U) == 0) continue;
         ++alone;
         follow(rays, i, link);
       }
     };
-    const glint::Company company = traverse_packet(nodes, query, packet.all(), visit, visit_alone);
+    const glint::Company company = traverse_packet(nodes, query, packet.members, visit, visit_alone,
+                                                   [&](Link<unsigned> link) { fetched.push_back(link); });
     for (auto& met : of_ray) std::sort(met.begin(), met.end());
     return company;
   }
   void follow(const std::vector<Ray<float>>& rays, std::size_t i, Link<unsigned> link) {
     const std::vector<Ray<float>> only{rays[i]};
     const RayPacket<float> packet(only);
-    const glint::PacketQuery<float, Nodes::width> query(packet, 0.0F);
+    const glint::PacketQuery<float> query(packet, 0.0F);
     // Down from the link, box by box.
     std::vector<Link<unsigned>> open{link};
     while (!open.empty()) {
@@ -93,7 +100,8 @@ void check_layout() {
   Met<Nodes> met{boxes, tree};
   int packets = 0;
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
-    const auto rays = glint::testing::pencil_of_rays<float>(all, 1 + seed % 16, 0.05F, seed);
+    const auto rays =
+        glint::testing::of_one_course(glint::testing::pencil_of_rays<float>(all, 1 + seed % 16, 0.05F, seed));
     if (!is_coherent(RayPacket<float>(rays), 1.0F)) continue;
     ++packets;
     const glint::Company company = met.walk(rays);

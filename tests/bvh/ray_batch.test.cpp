@@ -137,7 +137,7 @@ TEST_CASE("ray batch: far from the origin and at all scales, too", "[bvh][packet
 TEST_CASE("ray batch: batches may have any size, nothing and odd ends too", "[bvh][packet]") {
   const auto buffers = glint::testing::scanned_blob<float>(2000, 3);
   const Bvh bvh(view(buffers));
-  for (const std::size_t size : {0U, 1U, 7U, 8U, 16U, 17U, 64U, 65U, 1000U})
+  for (const std::size_t size : {0U, 1U, 7U, 8U, 15U, 16U, 17U, 64U, 65U, 1000U})
     for (std::uint32_t seed = 0; seed < 5; ++seed)
       CHECK(wrong_answers(bvh, glint::testing::pencil_of_rays(bvh.bounds(), size, 0.02F, seed)) == 0);
 }
@@ -202,6 +202,15 @@ TEST_CASE("ray batch: coherent runs of sixteen go together, and an end too short
   const Runs runs = runs_of(rays, true);
   CHECK(runs.together == std::vector<std::size_t>{0, 16});
   CHECK(runs.alone == std::vector<std::size_t>{32, 33, 34, 35, 36});
+}
+
+TEST_CASE("ray batch: rays of another course go alone", "[bvh][packet]") {
+  std::vector<Ray<float>> rays(32, {.direction = {0.1F, 0.2F, -1}});
+  for (const std::size_t i : {3U, 7U}) rays[i].direction.y = -0.2F;
+  for (std::size_t i = 16; i < 32; i += 3) rays[i].direction.x = -0.1F;  // six, too few, and ten, enough
+  const Runs runs = runs_of(rays, true);
+  CHECK(runs.together == std::vector<std::size_t>{0, 16});
+  CHECK(runs.alone == std::vector<std::size_t>{3, 7, 16, 19, 22, 25, 28, 31});
 }
 
 TEST_CASE("ray batch: where going together does not pay, it is tried ever more seldom, and again when it does",

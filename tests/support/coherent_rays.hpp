@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/ray.hpp>
+#include <glint/geometry/ray_packet.hpp>
 #include <glint/math/random.hpp>
 #include <glint/math/vec.hpp>
 #include <glint/testing/random_rays.hpp>
@@ -44,6 +46,15 @@ template <typename T>
   const T length = glm::length(rays[0].direction);
   for (Ray<T>& ray : rays) ray.direction *= length / glm::length(ray.direction);
   for (Ray<T>& ray : rays) ray = {.origin = ray.origin + ray.direction, .direction = -ray.direction, .t_max = T(1)};
+  return rays;
+}
+
+/// Those that have the course of the first.
+template <typename T>
+[[nodiscard]] std::vector<Ray<T>> of_one_course(std::vector<Ray<T>> rays) {
+  const std::uint32_t course = rays.empty() ? 0 : course_of(rays[0]);
+  rays.erase(std::remove_if(rays.begin(), rays.end(), [&](const Ray<T>& ray) { return course_of(ray) != course; }),
+             rays.end());
   return rays;
 }
 

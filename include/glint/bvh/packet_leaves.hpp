@@ -10,80 +10,109 @@
 
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/leaves.hpp>
+#include <glint/bvh/query/packet.hpp>
 #include <glint/core/config.hpp>
+#include <glint/core/index.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_packet.hpp>
+#include <glint/simd/pack.hpp>
 
 namespace glint {
 
-/// The best hits so far of the rays of a packet, and their t once more, side by side.
-template <std::floating_point T, std::unsigned_integral I>
+/// The best hits so far of the rays of a packet, side by side.
+template <std::floating_point T, std::unsigned_integral I, int W = RayPacket<T>::Lanes::width>
 struct PacketHits {
-  typename RayPacket<T>::Lanes t;
-  std::array<Hit<T, I>, std::size_t(RayPacket<T>::size)> hit;
+  using Lanes = typename RayPacket<T, W>::Lanes;
 
-  explicit PacketHits(const RayPacket<T>& packet) noexcept : t(packet.t_max) {
-    for (std::size_t i = 0; i < packet.rays.size(); ++i) hit[i].t = packet.rays[i].t_max;
+  Lanes t;
+  Lanes w1, w2, det;  ///< w1 / det and w2 / det are the hit's uv
+  Pack<I, RayPacket<T, W>::size> primitive;
+  std::array<I, std::size_t(RayPacket<T>::size)> instance;
+
+  /// None yet: rays end at their t_max.
+  explicit PacketHits(const RayPacket<T, W>& packet) noexcept
+      : t(packet.t_max),
+        w1(Lanes::broadcast(T(0))),
+        w2(w1),
+        det(Lanes::broadcast(T(1))),
+        primitive(Pack<I, RayPacket<T>::size>::broadcast(none<I>)) {
+    instance.fill(none<I>);
+  }
+  [[nodiscard]] Hit<T, I> operator[](int i) const noexcept {
+    const T scale = T(1) / det[i];
+    return {.t = t[i],
+            .uv = {w1[i] * scale, w2[i] * scale},
+            .primitive = primitive[i],
+            .instance = instance[std::size_t(i)]};
+  }
+  void set(int i, const Hit<T, I>& hit) noexcept {
+    t.set(i, hit.t);
+    w1.set(i, hit.uv.x);
+    w2.set(i, hit.uv.y);
+    det.set(i, T(1));
+    primitive.set(i, hit.primitive);
+    instance[std::size_t(i)] = hit.instance;
   }
 };
 
 /// Leaves that test many rays at once, a bit each; `asked` says which. What they find is what they find for single
-/// rays.
+/// rays, of primitives whose boxes the query lets pass.
 ///
-///     auto prepare(const S&, const RayPacket<T>&)                                              // once a packet
-///     uint32_t closest(const S&, const RayPacket<T>&, prepared, Slots<I>, asked, PacketHits<T, I>& best)   // improved
-///     uint32_t occluded(const S&, const RayPacket<T>&, prepared, Slots<I>, asked)              // occluded
+///     auto prepare(const S&, const RayPacket<T>&)                                          // once a packet
+///     uint32_t closest(const S&, const RayPacket<T>&, prepared, const PacketQuery<T>&, Slots<I>, asked,
+///                      PacketHits<T, I>& best)                                             // whose best improved
+///     uint32_t occluded(const S&, const RayPacket<T>&, prepared, const PacketQuery<T>&, Slots<I>, asked)
 ///
-/// Requires: a coherent packet (ray_packet.hpp).
+/// Requires: a coherent packet, of one course (ray_packet.hpp).
 template <typename L, typename S>
 concept PacketLeavesOf = LeavesOf<L, S> &&
-    requires(const L& leaves, const S& set, const RayPacket<typename S::Scalar>& packet, Slots<typename S::Index> slots,
-             std::uint32_t asked, PacketHits<typename S::Scalar, typename S::Index>& best) {
-  { leaves.closest(set, packet, leaves.prepare(set, packet), slots, asked, best) } -> std::same_as<std::uint32_t>;
-  { leaves.occluded(set, packet, leaves.prepare(set, packet), slots, asked) } -> std::same_as<std::uint32_t>;
+    requires(const L& leaves, const S& set, const RayPacket<typename S::Scalar>& packet,
+             const PacketQuery<typename S::Scalar>& query, Slots<typename S::Index> slots, std::uint32_t asked,
+             PacketHits<typename S::Scalar, typename S::Index>& best) {
+  {
+    leaves.closest(set, packet, leaves.prepare(set, packet), query, slots, asked, best)
+    } -> std::same_as<std::uint32_t>;
+  { leaves.occluded(set, packet, leaves.prepare(set, packet), query, slots, asked) } -> std::same_as<std::uint32_t>;
 };
 
 namespace detail {
 
 /// Of rays that cross a primitive no further than what they hit before, those for which it is closer.
-template <typename Crossed, std::floating_point T, std::unsigned_integral I>
+template <typename Crossed, std::floating_point T, std::unsigned_integral I, int W>
 GLINT_ALWAYS_INLINE std::uint32_t take_closer(const Crossed& c, std::uint32_t rays, I primitive,
-                                              PacketHits<T, I>& best) noexcept {
-  std::uint32_t closer = 0;
-  for (; rays != 0; rays &= rays - 1) {
-    const int i = std::countr_zero(rays);
-    Hit<T, I>& hit = best.hit[std::size_t(i)];
-    const T t = c.t[i];
-    if (!(t < hit.t || primitive < hit.primitive)) continue;
-    const T scale = T(1) / c.det[i];
-    hit = {.t = t, .uv = {c.w1[i] * scale, c.w2[i] * scale}, .primitive = primitive};
-    closer |= std::uint32_t{1} << i;
-  }
-  if (closer != 0) best.t = select(closer, c.t, best.t);
+                                              PacketHits<T, I, W>& best) noexcept {
+  std::uint32_t closer = rays & less(c.t, best.t);
+  for (std::uint32_t same = rays & ~closer; same != 0; same &= same - 1)
+    if (primitive < best.primitive[std::countr_zero(same)]) closer |= same & (~same + 1);
+  best.t = select(closer, c.t, best.t);
+  best.w1 = select(closer, c.w1, best.w1);
+  best.w2 = select(closer, c.w2, best.w2);
+  best.det = select(closer, c.det, best.det);
+  best.primitive = select(closer, best.primitive.broadcast(primitive), best.primitive);
   return closer;
 }
 
 /// One primitive, one ray after another.
-template <PrimitiveSet S>
+template <PrimitiveSet S, int W>
 GLINT_NO_INLINE std::uint32_t closest_of_rays(std::uint32_t rays, const S& set,
-                                              const RayPacket<typename S::Scalar>& packet, typename S::Index primitive,
-                                              PacketHits<typename S::Scalar, typename S::Index>& best) {
+                                              const RayPacket<typename S::Scalar, W>& packet,
+                                              typename S::Index primitive,
+                                              PacketHits<typename S::Scalar, typename S::Index, W>& best) {
   std::uint32_t closer = 0;
   for (; rays != 0; rays &= rays - 1) {
     const int i = std::countr_zero(rays);
     const auto hit = set.intersect(packet.rays[std::size_t(i)], primitive);
-    if (!hit || !is_closer(*hit, best.hit[std::size_t(i)])) continue;
-    best.hit[std::size_t(i)] = *hit;
-    best.t.set(i, hit->t);
+    if (!hit || !is_closer(*hit, best[i])) continue;
+    best.set(i, *hit);
     closer |= std::uint32_t{1} << i;
   }
   return closer;
 }
-template <PrimitiveSet S>
+template <PrimitiveSet S, int W>
 GLINT_NO_INLINE std::uint32_t occluded_of_rays(std::uint32_t rays, const S& set,
-                                               const RayPacket<typename S::Scalar>& packet,
+                                               const RayPacket<typename S::Scalar, W>& packet,
                                                typename S::Index primitive) {
   std::uint32_t found = 0;
   for (; rays != 0; rays &= rays - 1) {
@@ -97,19 +126,21 @@ GLINT_NO_INLINE std::uint32_t occluded_of_rays(std::uint32_t rays, const S& set,
 
 /// The leaves as a packet of rays sees them: asked for one ray after another, each made ready when it first comes to
 /// a leaf.
-template <typename L, typename S>
+template <typename L, typename S, int W = RayPacket<typename S::Scalar>::Lanes::width>
 class LeavesForPacket {
  public:
   using T = typename S::Scalar;
   using Index = typename S::Index;
 
-  LeavesForPacket(const L& leaves, const S& set, const RayPacket<T>& packet) noexcept
+  LeavesForPacket(const L& leaves, const S& set, const RayPacket<T, W>& packet,
+                  const PacketQuery<T, W>& /*query*/) noexcept
       : leaves_(leaves), set_(set), packet_(packet) {}
 
-  std::uint32_t closest(Slots<Index> slots, std::uint32_t asked, PacketHits<T, Index>& best) {
+  std::uint32_t closest(Slots<Index> slots, std::uint32_t asked, PacketHits<T, Index, W>& best) {
     return each(asked, [&](std::size_t i, const Ray<T>& ray, const Prepared& prepared) {
-      if (!leaves_.closest(set_, ray, prepared, slots, best.hit[i])) return false;
-      best.t.set(int(i), best.hit[i].t);
+      Hit<T, Index> hit = best[int(i)];
+      if (!leaves_.closest(set_, ray, prepared, slots, hit)) return false;
+      best.set(int(i), hit);
       return true;
     });
   }
@@ -136,35 +167,37 @@ class LeavesForPacket {
 
   const L& leaves_;
   const S& set_;
-  const RayPacket<T>& packet_;
-  std::array<std::optional<Prepared>, std::size_t(RayPacket<T>::size)> prepared_;
+  const RayPacket<T, W>& packet_;
+  std::array<std::optional<Prepared>, std::size_t(RayPacket<T, W>::size)> prepared_;
 };
 
 /// Leaves that test many rays at once, likewise.
-template <typename L, typename S>
+template <typename L, typename S, int W>
   requires PacketLeavesOf<L, S>
-class LeavesForPacket<L, S> {
+class LeavesForPacket<L, S, W> {
  public:
   using T = typename S::Scalar;
   using Index = typename S::Index;
 
-  LeavesForPacket(const L& leaves, const S& set, const RayPacket<T>& packet) noexcept
-      : leaves_(leaves), set_(set), packet_(packet), prepared_(leaves.prepare(set, packet)) {}
+  LeavesForPacket(const L& leaves, const S& set, const RayPacket<T, W>& packet, const PacketQuery<T, W>& query) noexcept
+      : leaves_(leaves), set_(set), packet_(packet), query_(query), prepared_(leaves.prepare(set, packet)) {}
 
-  GLINT_ALWAYS_INLINE std::uint32_t closest(Slots<Index> slots, std::uint32_t asked, PacketHits<T, Index>& best) const {
-    return leaves_.closest(set_, packet_, prepared_, slots, asked, best);
+  GLINT_ALWAYS_INLINE std::uint32_t closest(Slots<Index> slots, std::uint32_t asked,
+                                            PacketHits<T, Index, W>& best) const {
+    return leaves_.closest(set_, packet_, prepared_, query_, slots, asked, best);
   }
   [[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t occluded(Slots<Index> slots, std::uint32_t asked) const {
-    return leaves_.occluded(set_, packet_, prepared_, slots, asked);
+    return leaves_.occluded(set_, packet_, prepared_, query_, slots, asked);
   }
 
  private:
   using Prepared =
-      decltype(std::declval<const L&>().prepare(std::declval<const S&>(), std::declval<const RayPacket<T>&>()));
+      decltype(std::declval<const L&>().prepare(std::declval<const S&>(), std::declval<const RayPacket<T, W>&>()));
 
   const L& leaves_;
   const S& set_;
-  const RayPacket<T>& packet_;
+  const RayPacket<T, W>& packet_;
+  const PacketQuery<T, W>& query_;
   Prepared prepared_;
 };
 

@@ -12,6 +12,7 @@
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/core/fixed_stack.hpp>
+#include <glint/geometry/ray_packet.hpp>
 
 namespace glint {
 
@@ -56,35 +57,42 @@ using PendingRaysOf =
     FixedStack<PendingRays<L>, std::size_t(Tree<typename L::Scalar, typename L::Index>::max_depth*(L::width - 1) + 1)>;
 
 /// Leaves the children that some of the rays enter on the stack, the nearest on top.
-template <Layout L>
-GLINT_ALWAYS_INLINE void push_children(const L& layout, const PacketQuery<typename L::Scalar, L::width>& query,
-                                       typename L::Index node, std::uint32_t rays, PendingRaysOf<L>& pending) noexcept {
+template <Layout L, int W, typename Fetch>
+GLINT_ALWAYS_INLINE void push_children(const L& layout, const PacketQuery<typename L::Scalar, W>& query,
+                                       typename L::Index node, std::uint32_t rays, PendingRaysOf<L>& pending,
+                                       const Fetch& fetch) noexcept {
   using T = typename L::Scalar;
   const BoxPack<T, L::width>& boxes = layout.children(node);
   const auto& links = layout.links(node);
   const Entered<T, L::width> entered = query.enter(boxes);
   std::array<T, std::size_t(L::width)> key;
   entered.key.store(key.data());
-  const std::size_t base = pending.size();
+  std::array<PendingRays<L>, std::size_t(L::width)> found;
+  std::size_t count = 0;
   for (std::uint32_t mask = entered.mask; mask != 0; mask &= mask - 1) {
     const int i = std::countr_zero(mask);
+    fetch(links[std::size_t(i)]);
     const std::uint32_t entering = query.enter(boxes, i) & rays;
-    if (entering == 0) continue;
-    push_sorted(pending, base, PendingRays<L>{links[std::size_t(i)], key[std::size_t(i)], entering});
+    found[count] = {links[std::size_t(i)], key[std::size_t(i)], entering};
+    count += std::size_t(entering != 0);  // not a branch, for nobody could foresee it
   }
+  const std::size_t base = pending.size();
+  for (std::size_t i = 0; i < count; ++i) push_sorted(pending, base, found[i]);
 }
 
 }  // namespace detail
 
 /// Walks a tree with the rays of a packet together, a bit each, and shows the leaves that may matter to
 /// `visit(Slots, rays)`. Where hardly a ray is left that goes down a branch, `visit_alone(Link, rays)` is to follow it
-/// to its end with each. Both may improve the query meanwhile.
+/// to its end with each. Both may improve the query meanwhile. `fetch(Link)` hears of the links below the root before
+/// their turn comes.
 ///
 /// Cost:     no allocation.
 /// Source:   Wald, Slusallek, Benthin, Wagner, "Interactive Rendering with Coherent Ray Tracing", Eurographics 2001.
-template <Layout L, typename Visit, typename VisitAlone>
-GLINT_ALWAYS_INLINE Company traverse_packet(const L& layout, const PacketQuery<typename L::Scalar, L::width>& query,
-                                            std::uint32_t rays, const Visit& visit, const VisitAlone& visit_alone) {
+template <Layout L, int W, typename Visit, typename VisitAlone, typename Fetch>
+GLINT_ALWAYS_INLINE Company traverse_packet(const L& layout, const PacketQuery<typename L::Scalar, W>& query,
+                                            std::uint32_t rays, const Visit& visit, const VisitAlone& visit_alone,
+                                            const Fetch& fetch) {
   constexpr int few = 2;
   detail::PendingRaysOf<L> pending;
   Company company;
@@ -99,7 +107,7 @@ GLINT_ALWAYS_INLINE Company traverse_packet(const L& layout, const PacketQuery<t
     else if (link.is_leaf())
       visit(link.slots(), rays);
     else
-      detail::push_children(layout, query, link.first, rays, pending);
+      detail::push_children(layout, query, link.first, rays, pending, fetch);
     do {
       if (pending.empty()) return company;
       const auto next = pending.pop();

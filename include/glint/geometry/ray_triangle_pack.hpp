@@ -119,7 +119,7 @@ struct PackedTest<MoellerTrumbore, T, N, W> {
     Crossings<P> result;
     const std::uint32_t inside =
         less_equal(zero, min(min(w1, w2), w0)) | less_equal(max(max(w1, w2), w0), zero);  // a NaN stays: w0 is second
-    if (inside == 0) return result;
+    if (N < RayPacket<T>::size && inside == 0) return result;  // of many rays one is inside more often than not
     result.t = detail::rounded_dot(n, c) / det;
     result.hit = inside & (less(det, zero) | less(zero, det)) & less_equal(ray.t_min, result.t) &
                  less_equal(result.t, P::broadcast(t_max));
@@ -170,9 +170,9 @@ struct PackedTest<Watertight, T, N, W> {
             P::broadcast(shear.scale_z),
             P::broadcast(ray.t_min)};
   }
-  /// Requires: all rays have the packet's longest axis.
+  /// Requires: all rays of one course.
   [[nodiscard]] GLINT_ALWAYS_INLINE static Prepared prepare(const RayPacket<T>& rays) noexcept {
-    const std::size_t z = rays.longest;
+    const std::size_t z = rays.longest_axis();
     const std::size_t x = z == 2 ? 0 : z + 1;
     const std::size_t y = x == 2 ? 0 : x + 1;
     const P scale = P::broadcast(T(1)) / rays.direction[z];
@@ -215,7 +215,7 @@ struct PackedTest<Watertight, T, N, W> {
     const P most = max(max(u, v), w);
     Crossings<P> result;
     const std::uint32_t inside = less_equal(zero, least) | less_equal(most, zero);
-    if (inside == 0) return result;
+    if (N < RayPacket<T>::size && inside == 0) return result;  // of many rays one is inside more often than not
     const std::uint32_t decided = less(zero, least) | less(most, zero);
     result.tied = inside & ~decided;
     result.det = u + v + w;

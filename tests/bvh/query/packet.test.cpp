@@ -46,7 +46,8 @@ int for_packets(const Check& check) {
     const std::size_t count = 1 + seed % 16;
     const auto rays = seed % 2 == 0 ? glint::testing::pencil_of_rays<T>(world<T>, count, T(0.1), seed)
                                     : glint::testing::rays_toward_a_point<T>(world<T>, count, T(0.1), seed);
-    const RayPacket<T> packet(rays);
+    const auto alike = glint::testing::of_one_course(rays);
+    const RayPacket<T> packet(alike);
     if (!is_coherent(packet, T(2))) continue;
     check(packet);
     ++packets;
@@ -63,7 +64,7 @@ TEMPLATE_TEST_CASE("packet query: never leaves out a box that holds a point of a
   const auto uniform = [&] { return T(random()) * T(0x1p-32); };
   int left_out = 0;
   const int packets = for_packets<T>([&](const RayPacket<T>& packet) {
-    const PacketQuery<T, 4> query(packet, T(0));
+    const PacketQuery<T> query(packet, T(0));
     for (std::size_t i = 0; i < packet.rays.size(); ++i) {
       const Ray<T>& ray = packet.rays[i];
       const T t = ray.t_min + (std::min(ray.t_max, T(3)) - ray.t_min) * uniform();
@@ -89,7 +90,7 @@ TEMPLATE_TEST_CASE("packet query: boxes that a ray enters are those that any ray
   int entered = 0;
   int culled = 0;
   for_packets<T>([&](const RayPacket<T>& packet) {
-    const PacketQuery<T, 4> query(packet, T(0));
+    const PacketQuery<T> query(packet, T(0));
     std::array<Aabb<T>, 4> some;
     for (Aabb<T>& box : some) {
       const Vec3<T> corner = glint::testing::detail::random_point(world<T>, random);
@@ -124,7 +125,7 @@ TEMPLATE_TEST_CASE("packet query: no ray enters an empty box, one beyond its end
   std::vector<Ray<T>> rays;
   for (int i = 0; i < 16; ++i) rays.push_back({.direction = {T(0.01) + T(i) / 1000, T(0.02), T(-1)}});
   const RayPacket<T> packet(rays);
-  PacketQuery<T, 4> query(packet, T(0));
+  PacketQuery<T> query(packet, T(0));
   const Aabb<T> far{{T(-1), T(-1), T(-11)}, {T(1), T(1), T(-10)}};
   const auto boxes = packed<T>({far, Aabb<T>{}, far, Aabb<T>{}});
   CHECK(query.enter(boxes).mask == 5U);

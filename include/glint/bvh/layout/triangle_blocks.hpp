@@ -15,10 +15,12 @@
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/leaves.hpp>
 #include <glint/bvh/packet_leaves.hpp>
+#include <glint/bvh/query/packet.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/core/index.hpp>
+#include <glint/core/prefetch.hpp>
 #include <glint/core/uninitialized.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
@@ -32,6 +34,18 @@
 
 namespace glint {
 namespace detail {
+
+/// The boxes of triangles given as for PackedTest.
+template <std::floating_point T, int N, typename Vertex>
+[[nodiscard]] GLINT_ALWAYS_INLINE BoxPack<T, N> boxes_of(const Vertex& vertex) noexcept {
+  BoxPack<T, N> boxes;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto at = std::size_t(axis);
+    boxes.planes[at] = min(min(vertex(0, axis), vertex(1, axis)), vertex(2, axis));
+    boxes.planes[at + 3] = max(max(vertex(0, axis), vertex(1, axis)), vertex(2, axis));
+  }
+  return boxes;
+}
 
 /// N triangles, and what their test needs of them. A triangle without area stays out, as do lanes to spare: NaNs are
 /// never hit.
@@ -67,6 +81,16 @@ class alignas(8 * sizeof(T)) CopiedBlock {
   [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& /*mesh*/, const typename Test::Prepared& ray,
                                                T t_max) const noexcept {
     return Test::cross(triangles_, ray, t_max);
+  }
+  /// Triangles that some ray of a packet may hit.
+  [[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t entered(const Mesh& /*mesh*/,
+                                                          const PacketQuery<T>& query) const noexcept {
+    if constexpr (requires { triangles_.vertex; }) {
+      const auto vertex = [&](int i, int axis) { return triangles_.vertex[std::size_t(i)][std::size_t(axis)]; };
+      return query.enter(boxes_of<T, N>(vertex)).mask;
+    } else {
+      return ~std::uint32_t{0} >> (32 - N);
+    }
   }
   /// One triangle, many rays.
   [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& /*mesh*/, int lane,
@@ -111,17 +135,12 @@ class IndexedBlock {
 
   [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& mesh, const typename Test::Prepared& ray,
                                                T t_max) const noexcept {
-    std::array<std::array<const std::byte*, std::size_t(N)>, 3> from;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t lane = 0; lane < std::size_t(N); ++lane) from[i][lane] = mesh.positions.at(vertex_[i][lane]);
-    const auto vertex = [&](int i, int axis) {
-      return Pack<T, N>::generate([&](int lane) {
-        T value;
-        std::memcpy(&value, from[std::size_t(i)][std::size_t(lane)] + std::size_t(axis) * sizeof(T), sizeof(T));
-        return value;
-      });
-    };
-    return Test::cross_at(vertex, ray, t_max);
+    return with_vertices(mesh, [&](const auto& vertex) { return Test::cross_at(vertex, ray, t_max); });
+  }
+  /// Triangles that some ray of a packet may hit.
+  [[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t entered(const Mesh& mesh,
+                                                          const PacketQuery<T>& query) const noexcept {
+    return with_vertices(mesh, [&](const auto& vertex) { return query.enter(boxes_of<T, N>(vertex)).mask; });
   }
   /// One triangle, many rays.
   [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& mesh, int lane,
@@ -135,6 +154,20 @@ class IndexedBlock {
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
 
  private:
+  template <typename Use>
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto with_vertices(const Mesh& mesh, const Use& use) const noexcept {
+    std::array<std::array<const std::byte*, std::size_t(N)>, 3> from;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t lane = 0; lane < std::size_t(N); ++lane) from[i][lane] = mesh.positions.at(vertex_[i][lane]);
+    return use([&](int i, int axis) {
+      return Pack<T, N>::generate([&](int lane) {
+        T value;
+        std::memcpy(&value, from[std::size_t(i)][std::size_t(lane)] + std::size_t(axis) * sizeof(T), sizeof(T));
+        return value;
+      });
+    });
+  }
+
   std::array<std::array<V, std::size_t(N)>, 3> vertex_;
   std::array<Index, std::size_t(N)> primitive_;
 };
@@ -212,13 +245,16 @@ class TriangleBlocks {
     return false;
   }
 
+  /// Has the block fetched that will be tested soon.
+  GLINT_ALWAYS_INLINE void prefetch(Index slot) const noexcept { glint::prefetch(blocks_[slot]); }
+
   using RaysPrepared = typename Block::RaysTest::Prepared;
   [[nodiscard]] GLINT_ALWAYS_INLINE RaysPrepared prepare(const Mesh& /*mesh*/,
                                                          const RayPacket<T>& packet) const noexcept {
     return Block::RaysTest::prepare(packet);
   }
   GLINT_ALWAYS_INLINE std::uint32_t closest(const Mesh& mesh, const RayPacket<T>& packet, const RaysPrepared& prepared,
-                                            Slots<Index> slots, std::uint32_t asked,
+                                            const PacketQuery<T>& query, Slots<Index> slots, std::uint32_t asked,
                                             PacketHits<T, Index>& best) const noexcept {
     std::uint32_t improved = 0;
     const auto visit = [&](Index primitive, const auto& c) {
@@ -227,12 +263,12 @@ class TriangleBlocks {
       if (tied != 0) improved |= detail::closest_of_rays(tied, mesh, packet, primitive, best);
       return asked;
     };
-    for_each_triangle(mesh, prepared, slots, visit);
+    for_each_triangle(mesh, prepared, query, slots, visit);
     return improved;
   }
   [[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t occluded(const Mesh& mesh, const RayPacket<T>& packet,
-                                                           const RaysPrepared& prepared, Slots<Index> slots,
-                                                           std::uint32_t asked) const noexcept {
+                                                           const RaysPrepared& prepared, const PacketQuery<T>& query,
+                                                           Slots<Index> slots, std::uint32_t asked) const noexcept {
     std::uint32_t found = 0;
     const auto visit = [&](Index primitive, const auto& c) {
       found |= c.hit & asked & less_equal(c.t, packet.t_max);
@@ -240,7 +276,7 @@ class TriangleBlocks {
       if (tied != 0) found |= detail::occluded_of_rays(tied, mesh, packet, primitive);
       return asked & ~found;
     };
-    for_each_triangle(mesh, prepared, slots, visit);
+    for_each_triangle(mesh, prepared, query, slots, visit);
     return found;
   }
 
@@ -289,11 +325,13 @@ class TriangleBlocks {
 
   /// Until `visit` says that no ray asks any more.
   template <typename Visit>
-  GLINT_ALWAYS_INLINE void for_each_triangle(const Mesh& mesh, const RaysPrepared& prepared, Slots<Index> slots,
+  GLINT_ALWAYS_INLINE void for_each_triangle(const Mesh& mesh, const RaysPrepared& prepared,
+                                             const PacketQuery<T>& query, Slots<Index> slots,
                                              const Visit& visit) const noexcept {
     for (std::size_t i = slots.first; i != std::size_t(slots.first) + slots.count; ++i) {
       const Block& block = blocks_[i];
-      for (int lane = 0; lane < N; ++lane) {
+      for (std::uint32_t mask = block.entered(mesh, query); mask != 0; mask &= mask - 1) {
+        const int lane = std::countr_zero(mask);
         if (block.primitive(lane) == none<Index>) continue;
         if (visit(block.primitive(lane), block.cross(mesh, lane, prepared)) == 0) return;
       }

@@ -14,6 +14,7 @@
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
+#include <glint/core/prefetch.hpp>
 #include <glint/core/uninitialized.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/math/constants.hpp>
@@ -47,6 +48,8 @@ class WideNodes {
   [[nodiscard]] GLINT_ALWAYS_INLINE const std::array<Link<I>, std::size_t(N)>& links(I node) const noexcept {
     return nodes_[node].links;
   }
+  /// Has a node fetched that will be visited soon.
+  GLINT_ALWAYS_INLINE void prefetch(I node) const noexcept { glint::prefetch(nodes_[node]); }
   [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.size() * sizeof(Node); }
 
  private:

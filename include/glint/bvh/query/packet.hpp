@@ -21,19 +21,18 @@ namespace glint {
 /// Differences and products are rounded monotonically, so the ends of the intervals bound what each ray computes, and
 /// the first test leaves out no box that the second one finds. Exits are stretched as in ConservativeSlab, once a box.
 ///
-/// Requires: a coherent packet (ray_packet.hpp).
+/// Requires: a coherent packet, of one course (ray_packet.hpp).
 /// Ensures:  no box is left out that holds a point of a ray, nor one whose primitive is hit within the ray's interval
-/// by
-///           the rounding of its own t.
+///           by the rounding of its own t.
 /// Source:   Boulos, Wald, Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", University of
 ///           Utah report UUCS-06-010, 2006; Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013.
-template <std::floating_point T, int N>
+template <std::floating_point T, int W = RayPacket<T>::Lanes::width>
 class PacketQuery {
  public:
-  using Lanes = typename RayPacket<T>::Lanes;
+  using Lanes = typename RayPacket<T, W>::Lanes;
 
   /// `reach` is the size of the largest primitive, or more: the t of a hit is rounded in proportion to it.
-  GLINT_ALWAYS_INLINE PacketQuery(const RayPacket<T>& packet, T reach) noexcept : origin_(packet.origin) {
+  GLINT_ALWAYS_INLINE PacketQuery(const RayPacket<T, W>& packet, T reach) noexcept : origin_(packet.origin) {
     Lanes least = all(infinity<T>);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       scale_[axis] = all(1) / packet.direction[axis];
@@ -42,31 +41,36 @@ class PacketQuery {
       entry_plane_[axis] = forward ? axis : axis + 3;
       const T low = lowest(origin_[axis]);
       const T high = highest(origin_[axis]);
-      entry_origin_[axis] = Boxes::broadcast(forward ? high : low);
-      exit_origin_[axis] = Boxes::broadcast(forward ? low : high);
-      low_scale_[axis] = Boxes::broadcast(lowest(scale_[axis]));
-      high_scale_[axis] = Boxes::broadcast(highest(scale_[axis]));
+      entry_origin_[axis] = forward ? high : low;
+      exit_origin_[axis] = forward ? low : high;
+      low_scale_[axis] = lowest(scale_[axis]);
+      high_scale_[axis] = highest(scale_[axis]);
     }
     slack_ = all(rounding_bound<T>(16) * reach) * least;
     t_min_ = packet.t_min - slack_;
-    first_ = Boxes::broadcast(lowest(t_min_));
+    first_ = lowest(t_min_);
     shrink(packet.t_max);
   }
 
   /// The boxes that some ray may enter; keys are no larger than the t at which any ray does.
+  template <int N>
   [[nodiscard]] GLINT_ALWAYS_INLINE Entered<T, N> enter(const BoxPack<T, N>& boxes) const noexcept {
-    Boxes entry = first_;
+    using Boxes = Pack<T, N>;
+    Boxes entry = Boxes::broadcast(first_);
     Boxes exit = Boxes::broadcast(infinity<T>);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t plane = entry_plane_[axis];
-      const Boxes in = boxes.planes[plane] - entry_origin_[axis];
-      const Boxes out = boxes.planes[2 * axis + 3 - plane] - exit_origin_[axis];
-      entry = max(min(in * low_scale_[axis], in * high_scale_[axis]), entry);
-      exit = min(max(out * low_scale_[axis], out * high_scale_[axis]), exit);
+      const Boxes in = boxes.planes[plane] - Boxes::broadcast(entry_origin_[axis]);
+      const Boxes out = boxes.planes[2 * axis + 3 - plane] - Boxes::broadcast(exit_origin_[axis]);
+      const Boxes low = Boxes::broadcast(low_scale_[axis]);
+      const Boxes high = Boxes::broadcast(high_scale_[axis]);
+      entry = max(min(in * low, in * high), entry);
+      exit = min(max(out * low, out * high), exit);
     }
-    return {less_equal(entry, min(exit * Boxes::broadcast(growth), last_)), entry};
+    return {less_equal(entry, min(exit * Boxes::broadcast(growth), Boxes::broadcast(last_))), entry};
   }
   /// The rays that enter the i-th box, a bit each.
+  template <int N>
   [[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t enter(const BoxPack<T, N>& boxes, int i) const noexcept {
     Lanes entry = t_min_;
     Lanes exit = all(infinity<T>);
@@ -89,14 +93,13 @@ class PacketQuery {
   GLINT_ALWAYS_INLINE void drop(std::uint32_t rays) noexcept { set_limit(select(rays, all(-infinity<T>), limit_)); }
 
  private:
-  using Boxes = Pack<T, N>;
   static constexpr T stretch = T(2) * rounding_bound<T>(4);
   static constexpr T growth = T(1) + stretch;
 
   [[nodiscard]] GLINT_ALWAYS_INLINE static Lanes all(T value) noexcept { return Lanes::broadcast(value); }
   GLINT_ALWAYS_INLINE void set_limit(const Lanes& limit) noexcept {
     limit_ = limit;
-    last_ = Boxes::broadcast(highest(limit));
+    last_ = highest(limit);
   }
 
   std::array<Lanes, 3> origin_;
@@ -104,12 +107,12 @@ class PacketQuery {
   Lanes t_min_;
   Lanes limit_;
   Lanes slack_;
-  std::array<Boxes, 3> entry_origin_;
-  std::array<Boxes, 3> exit_origin_;
-  std::array<Boxes, 3> low_scale_;
-  std::array<Boxes, 3> high_scale_;
-  Boxes first_;
-  Boxes last_;
+  std::array<T, 3> entry_origin_;
+  std::array<T, 3> exit_origin_;
+  std::array<T, 3> low_scale_;
+  std::array<T, 3> high_scale_;
+  T first_;
+  T last_;
   std::array<std::size_t, 3> entry_plane_;
 };
 
