@@ -26,7 +26,7 @@
 #include <glint/testing/random_rays.hpp>
 #include <glint/testing/ray_caster_laws.hpp>
 
-#include <peers/timing.hpp>
+#include <support/timing.hpp>
 #include <support/bench.hpp>
 
 /// What a node costs a ray, what a leaf does, and each block of triangles in it. Trees of many leaf sizes are timed,

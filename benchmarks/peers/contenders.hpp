@@ -25,7 +25,7 @@
 
 #include <peers/embree.hpp>
 #include <peers/embree_packets.hpp>
-#include <peers/ray_sets.hpp>
+#include <support/ray_sets.hpp>
 
 /// Who takes part: the lists to extend.
 namespace glint::bench {

@@ -25,9 +25,9 @@
 #include <peers/judge.hpp>
 #include <peers/options.hpp>
 #include <peers/race.hpp>
-#include <peers/ray_sets.hpp>
+#include <support/ray_sets.hpp>
 #include <peers/report.hpp>
-#include <peers/timing.hpp>
+#include <support/timing.hpp>
 #include <support/meshes.hpp>
 #include <support/named_mesh.hpp>
 

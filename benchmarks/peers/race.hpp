@@ -16,8 +16,8 @@
 
 #include <peers/contenders.hpp>
 #include <peers/judge.hpp>
-#include <peers/ray_sets.hpp>
-#include <peers/timing.hpp>
+#include <support/ray_sets.hpp>
+#include <support/timing.hpp>
 
 /// Rays that all contenders answer in turns, and who of them is wrong.
 namespace glint::bench {

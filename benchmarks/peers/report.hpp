@@ -9,7 +9,7 @@
 #include <peers/contenders.hpp>
 #include <peers/embree.hpp>
 #include <peers/race.hpp>
-#include <peers/timing.hpp>
+#include <support/timing.hpp>
 #include <support/named_mesh.hpp>
 
 /// What was measured, for people and for programs.
