@@ -2,6 +2,7 @@
 #pragma once
 /// Everything but glint/testing/. A program that names the headers it uses compiles faster and needs fewer libraries:
 /// those outside io/ and core/tbb_executor.hpp need GLM alone.
+#include <glint/bsdf/blend.hpp>
 #include <glint/bsdf/concepts.hpp>
 #include <glint/bsdf/conductor.hpp>
 #include <glint/bsdf/dielectric.hpp>
@@ -138,6 +139,7 @@
 #include <glint/light/solid_angle.hpp>
 #include <glint/light/spot.hpp>
 #include <glint/light/triangle_sampler.hpp>
+#include <glint/material/blended.hpp>
 #include <glint/material/concepts.hpp>
 #include <glint/material/material_table.hpp>
 #include <glint/material/textured.hpp>
