@@ -38,7 +38,8 @@ TEST_CASE("scene file: primitives are numbered as triangles, spheres, disks, rec
   const SceneFile file = one_of_each();
   CHECK(file.triangle_count() == 1);
   CHECK(file.shapes().size() == 4);
-  for (const BuilderKind builder : {BuilderKind::Median, BuilderKind::BinnedSah, BuilderKind::SweepSah}) {
+  for (const BuilderKind builder : {BuilderKind::Median, BuilderKind::Morton, BuilderKind::BinnedSah,
+                                    BuilderKind::SweepSah, BuilderKind::SpatialSah, BuilderKind::Best}) {
     SceneFile copy = file;
     copy.accelerator.builder = builder;
     const auto bvh = bvh_of(copy);

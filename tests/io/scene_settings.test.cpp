@@ -262,6 +262,12 @@ TEST_CASE("scene settings: samplers and accelerators", "[io][scene]") {
 
   JsonText accelerator(R"({"builder": "sweep_sah"})");
   CHECK(read_accelerator(accelerator.object()).builder == glint::BuilderKind::SweepSah);
-  CHECK(json_error(R"({"builder": "best"})", glint::read_accelerator) ==
-        "/x/builder: found \"best\", expected one of \"median\", \"sah\", \"sweep_sah\"");
+  JsonText width(R"({"builder": "ploc", "width": 4})");
+  CHECK(read_accelerator(width.object("/x")).builder == glint::BuilderKind::Morton);
+  REQUIRE(width.source.warnings.size() == 1);
+  CHECK(width.source.warnings[0] == "scene.json:/x/width: has no effect: nodes have up to 8 children");
+  CHECK(json_error(R"({"width": 3})", glint::read_accelerator) == "/x/width: found 3, expected 2, 4 or 8");
+  CHECK(json_error(R"({"builder": "kd_tree"})", glint::read_accelerator) ==
+        "/x/builder: found \"kd_tree\", expected one of \"median\", \"morton\", \"ploc\", \"sah\", \"sweep_sah\", "
+        "\"spatial\", \"best\"");
 }

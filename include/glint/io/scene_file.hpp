@@ -15,8 +15,10 @@
 #include <glint/bsdf/mirror.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
-#include <glint/bvh/build/binned_sah.hpp>
 #include <glint/bvh/build/median.hpp>
+#include <glint/bvh/build/morton.hpp>
+#include <glint/bvh/build/quality.hpp>
+#include <glint/bvh/build/spatial_sah.hpp>
 #include <glint/bvh/build/sweep_sah.hpp>
 #include <glint/bvh/bvh.hpp>
 #include <glint/core/executor.hpp>
@@ -106,15 +108,23 @@ namespace detail {
 /// The tree that the file's settings ask for.
 template <Executor E = Serial>
 [[nodiscard]] SceneBvh bvh_of(const SceneFile& file, const E& executor = {}) {
+  constexpr std::size_t block_size = SceneBvh::Leaves::block_size;
+  const auto by = [&](const auto& builder) { return SceneBvh{file.shapes(), builder, executor}; };
   switch (file.accelerator.builder) {
     case BuilderKind::Median:
-      return SceneBvh{file.shapes(), Median{}, executor};
+      return by(Median{});
+    case BuilderKind::Morton:
+      return by(Morton{.block_size = block_size});
     case BuilderKind::SweepSah:
-      return SceneBvh{file.shapes(), SweepSah{}, executor};
+      return by(SweepSah{.block_size = block_size});
+    case BuilderKind::SpatialSah:
+      return by(SpatialSah{.block_size = block_size});
+    case BuilderKind::Best:
+      return by(QualityBuilder{.quality = Quality::Best, .block_size = block_size});
     case BuilderKind::BinnedSah:
       break;
   }
-  return SceneBvh{file.shapes(), BinnedSah{}, executor};
+  return by(SceneBvh::default_builder);
 }
 
 /// The scene, ready for rendering. It views the file's buffers: the file has to outlive it and stay as it is.

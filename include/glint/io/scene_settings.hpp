@@ -52,7 +52,7 @@ struct SamplerSettings {
   std::uint64_t seed = 0;
 };
 
-enum class BuilderKind : std::uint8_t { Median, BinnedSah, SweepSah };
+enum class BuilderKind : std::uint8_t { Median, Morton, BinnedSah, SweepSah, SpatialSah, Best };
 
 struct AcceleratorSettings {
   BuilderKind builder = BuilderKind::BinnedSah;
@@ -267,10 +267,21 @@ inline constexpr std::array<std::pair<std::string_view, CameraKind>, 4> camera_k
 }
 
 [[nodiscard]] inline AcceleratorSettings read_accelerator(JsonObject object) {
-  static constexpr std::array<std::pair<std::string_view, BuilderKind>, 3> kinds{
-      {{"median", BuilderKind::Median}, {"sah", BuilderKind::BinnedSah}, {"sweep_sah", BuilderKind::SweepSah}}};
+  static constexpr std::array<std::pair<std::string_view, BuilderKind>, 7> kinds{{{"median", BuilderKind::Median},
+                                                                                  {"morton", BuilderKind::Morton},
+                                                                                  {"ploc", BuilderKind::Morton},
+                                                                                  {"sah", BuilderKind::BinnedSah},
+                                                                                  {"sweep_sah", BuilderKind::SweepSah},
+                                                                                  {"spatial", BuilderKind::SpatialSah},
+                                                                                  {"best", BuilderKind::Best}}};
   AcceleratorSettings result;
   result.builder = detail::choice_or(object, "builder", BuilderKind::BinnedSah, kinds);
+  if (const auto width = object.find("width")) {
+    const int children = width->integer(2, 8);
+    if (children != 2 && children != 4 && children != 8)
+      width->fail("found " + width->json().dump() + ", expected 2, 4 or 8");
+    if (children != 8) object.source().note(width->pointer(), "has no effect: nodes have up to 8 children");
+  }
   object.finish();
   return result;
 }
