@@ -53,6 +53,7 @@
 #include <glint/bvh/traverse.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/camera/concepts.hpp>
+#include <glint/camera/importance.hpp>
 #include <glint/camera/orthographic.hpp>
 #include <glint/camera/panoramic.hpp>
 #include <glint/camera/perspective.hpp>
@@ -74,6 +75,7 @@
 #include <glint/core/uninitialized.hpp>
 #include <glint/film/film.hpp>
 #include <glint/film/filter.hpp>
+#include <glint/film/splats.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/box.hpp>
 #include <glint/geometry/boxes.hpp>
@@ -98,9 +100,13 @@
 #include <glint/geometry/triangle_mesh.hpp>
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/direct_light.hpp>
+#include <glint/integrator/emitters.hpp>
 #include <glint/integrator/intersection_test.hpp>
+#include <glint/integrator/light_scattering.hpp>
+#include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/mis.hpp>
 #include <glint/integrator/path.hpp>
+#include <glint/integrator/roulette.hpp>
 #include <glint/io/error.hpp>
 #include <glint/io/file.hpp>
 #include <glint/io/image.hpp>

@@ -22,6 +22,9 @@ struct BsdfSample {
   Rgb weight{};   ///< evaluate(wo, wi) / pdf; for a specular lobe, its reflectance over its chance
   float pdf = 0;  ///< 1/sr, of wi over all non-specular lobes; for a specular lobe, the chance that it is chosen
   Lobe lobe = Lobe::Diffuse;
+  /// By what `weight` is to be multiplied where wo goes toward the light and wi toward the camera. For specular lobes
+  /// only: with η the indices on the sides of wo and wi, (ηo / ηi)² times what the weight from wi to wo is of this one.
+  float adjoint = 1;
 };
 
 /// How light scatters at a point. The conventions, for every BSDF of the library:

@@ -37,7 +37,7 @@ struct Dielectric {
     const float reflected = cos_i ? fresnel_dielectric(std::abs(wo.z), *cos_i, ratio) : 1.0F;
     if (u < reflected) return BsdfSample{{-wo.x, -wo.y, wo.z}, reflectance, reflected, Lobe::Specular};
     const Vec3<float> wi{-ratio * wo.x, -ratio * wo.y, outside ? -*cos_i : *cos_i};
-    return BsdfSample{wi, transmittance * (ratio * ratio), 1.0F - reflected, Lobe::Specular};
+    return BsdfSample{wi, transmittance * (ratio * ratio), 1.0F - reflected, Lobe::Specular, 1.0F / (ratio * ratio)};
   }
 
   [[nodiscard]] static constexpr bool is_specular() noexcept { return true; }

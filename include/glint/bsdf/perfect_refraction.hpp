@@ -32,7 +32,7 @@ struct PerfectRefraction {
     const auto cos_i = refracted_cos(wo.x * wo.x + wo.y * wo.y, ratio);
     const Vec3<float> wi =
         cos_i ? Vec3<float>{-ratio * wo.x, -ratio * wo.y, outside ? -*cos_i : *cos_i} : Vec3<float>{-wo.x, -wo.y, wo.z};
-    return BsdfSample{wi, Rgb{1.0F}, 1.0F, Lobe::Specular};
+    return BsdfSample{wi, Rgb{1.0F}, 1.0F, Lobe::Specular, cos_i ? ratio * ratio : 1.0F};
   }
 
   [[nodiscard]] static constexpr bool is_specular() noexcept { return true; }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
+
+#include <glm/geometric.hpp>
+
 #include <glint/camera/concepts.hpp>
+#include <glint/camera/importance.hpp>
 #include <glint/camera/view_frame.hpp>
 
 namespace glint {
@@ -15,6 +20,23 @@ struct OrthographicRays {
   [[nodiscard]] Ray<float> ray(const Vec2<float>& film, const Vec2<float>& /*lens*/) const noexcept {
     return {.origin = corner + film.x * across + film.y * upward, .direction = direction};
   }
+
+  /// One ray alone finds the point, whose density over the window is one over its area.
+  [[nodiscard]] std::optional<CameraSample> sample_toward(const Vec3<float>& point,
+                                                          const Vec2<float>& /*lens*/) const noexcept {
+    const Vec3<float> at = point - corner;
+    const float depth = glm::dot(at, direction);
+    const Vec2<float> film{glm::dot(at, across) / length_squared(across),
+                           glm::dot(at, upward) / length_squared(upward)};
+    if (!(depth > 0) || !is_on_film(film)) return std::nullopt;
+    return CameraSample{film, -direction, point - direction * depth, inverse_area()};
+  }
+  [[nodiscard]] float importance(const Ray<float>& /*ray*/, float /*distance*/) const noexcept {
+    return inverse_area();
+  }
+
+ private:
+  [[nodiscard]] float inverse_area() const noexcept { return 1 / glm::length(glm::cross(across, upward)); }
 };
 
 /// A camera without perspective. Its rays start in the plane through the eye: what lies behind it is not seen.
@@ -42,6 +64,6 @@ struct Orthographic {
   [[nodiscard]] friend bool operator==(const Orthographic&, const Orthographic&) noexcept = default;
 };
 
-static_assert(Camera<Orthographic>);
+static_assert(Camera<Orthographic> && ImportanceGenerator<OrthographicRays>);
 
 }  // namespace glint

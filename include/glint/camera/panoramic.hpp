@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
 #include <glint/camera/concepts.hpp>
+#include <glint/camera/importance.hpp>
 #include <glint/camera/view_frame.hpp>
+#include <glint/math/constants.hpp>
 #include <glint/math/spherical.hpp>
 
 namespace glint {
@@ -14,6 +21,26 @@ struct PanoramicRays {
   [[nodiscard]] Ray<float> ray(const Vec2<float>& film, const Vec2<float>& /*lens*/) const noexcept {
     const Vec2<float> uv{film.x + 0.5F, 1 - film.y};  // u = 0 looks forward: that belongs in the middle
     return {.origin = eye, .direction = view.to_world(equirectangular_to_direction(uv))};
+  }
+
+  [[nodiscard]] std::optional<CameraSample> sample_toward(const Vec3<float>& point,
+                                                          const Vec2<float>& /*lens*/) const noexcept {
+    const Vec3<float> to_point = point - eye;
+    const float distance = glm::length(to_point);
+    if (!(distance > 0)) return std::nullopt;
+    const Vec3<float> direction = to_point / distance;
+    const Vec2<float> uv = direction_to_equirectangular(view.to_local(direction));
+    const Vec2<float> film{uv.x < 0.5F ? uv.x + 0.5F : uv.x - 0.5F, 1 - uv.y};
+    const float density = importance({.origin = eye, .direction = direction}, distance);
+    if (!is_on_film(film) || !(density > 0)) return std::nullopt;
+    return CameraSample{film, -direction, eye, density};
+  }
+  /// From the unit square to the sphere, dω = 2π² sin θ du dv. Zero at the poles, which no ray finds.
+  [[nodiscard]] float importance(const Ray<float>& ray, float distance) const noexcept {
+    const float up = glm::dot(ray.direction, view.y);
+    const float squared_sine = 1 - up * up;
+    if (!(squared_sine > 0)) return 0;
+    return 1 / (2 * pi<float> * pi<float> * std::sqrt(squared_sine) * distance * distance);
   }
 };
 
@@ -34,6 +61,6 @@ struct Panoramic {
   [[nodiscard]] friend bool operator==(const Panoramic&, const Panoramic&) noexcept = default;
 };
 
-static_assert(Camera<Panoramic>);
+static_assert(Camera<Panoramic> && ImportanceGenerator<PanoramicRays>);
 
 }  // namespace glint

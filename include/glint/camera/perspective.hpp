@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
 
 #include <glint/camera/concepts.hpp>
+#include <glint/camera/importance.hpp>
 #include <glint/camera/view_frame.hpp>
 #include <glint/math/constants.hpp>
 
@@ -17,6 +21,14 @@ struct PerspectiveRays {
 
   [[nodiscard]] Ray<float> ray(const Vec2<float>& film, const Vec2<float>& /*lens*/) const noexcept {
     return {.origin = eye, .direction = normalized(corner + film.x * across + film.y * upward)};
+  }
+
+  [[nodiscard]] std::optional<CameraSample> sample_toward(const Vec3<float>& point,
+                                                          const Vec2<float>& /*lens*/) const noexcept {
+    return seen_through(Window{corner, across, upward}, eye, point);
+  }
+  [[nodiscard]] float importance(const Ray<float>& ray, float distance) const noexcept {
+    return Window{corner, across, upward}.importance(ray.direction, distance);
   }
 };
 
@@ -46,6 +58,6 @@ struct Perspective {
   [[nodiscard]] friend bool operator==(const Perspective&, const Perspective&) noexcept = default;
 };
 
-static_assert(Camera<Perspective>);
+static_assert(Camera<Perspective> && ImportanceGenerator<PerspectiveRays>);
 
 }  // namespace glint

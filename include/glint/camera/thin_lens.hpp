@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
+
 #include <glint/camera/concepts.hpp>
+#include <glint/camera/importance.hpp>
 #include <glint/camera/perspective.hpp>
 #include <glint/math/constants.hpp>
 #include <glint/math/warp.hpp>
@@ -19,6 +22,17 @@ struct ThinLensRays {
     const Vec3<float> shift = at.x * lens_x + at.y * lens_y;
     const Vec3<float> target = focus.corner + film.x * focus.across + film.y * focus.upward;
     return {.origin = focus.eye + shift, .direction = normalized(target - shift)};
+  }
+
+  [[nodiscard]] std::optional<CameraSample> sample_toward(const Vec3<float>& point,
+                                                          const Vec2<float>& lens) const noexcept {
+    const Vec2<float> at = concentric_disk(lens);
+    const Vec3<float> shift = at.x * lens_x + at.y * lens_y;
+    return seen_through({focus.corner - shift, focus.across, focus.upward}, focus.eye + shift, point);
+  }
+  /// Of all parts of the lens the window is equally far away.
+  [[nodiscard]] float importance(const Ray<float>& ray, float distance) const noexcept {
+    return focus.importance(ray, distance);
   }
 };
 
@@ -51,6 +65,6 @@ struct ThinLens {
   [[nodiscard]] friend bool operator==(const ThinLens&, const ThinLens&) noexcept = default;
 };
 
-static_assert(Camera<ThinLens>);
+static_assert(Camera<ThinLens> && ImportanceGenerator<ThinLensRays>);
 
 }  // namespace glint

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/film/filter.hpp>
+#include <glint/film/splats.hpp>
 #include <glint/math/constants.hpp>
 #include <glint/math/vec.hpp>
 
@@ -192,20 +194,40 @@ class Film {
     return {*this, {begin, end}, &sums_[slot(at, begin)]};
   }
 
-  /// The image of all samples so far.
+  /// Where light goes that paths bring to pixels of their own choosing. Made when first asked for.
+  [[nodiscard]] Splats& splats() {
+    if (splats_.empty()) splats_ = Splats(size_);
+    return splats_;
+  }
+
+  /// Says how many paths brought splats, those that brought none included. A pixel gets the mean over as many paths as
+  /// there are pixels: what one path for each of them brings. Splats go to one pixel each, whatever the filter.
+  void count_splatting_paths(std::uint64_t paths) noexcept { splatting_paths_ += paths; }
+
+  /// The image of all samples and splats so far.
   template <Executor E = Serial>
   [[nodiscard]] Image develop(const E& executor = {}) const {
     Image image(size_);
+    const bool splatted = splatting_paths_ > 0 && !splats_.empty();
+    const double factor =
+        splatted ? static_cast<double>(size_.x) * static_cast<double>(size_.y) / static_cast<double>(splatting_paths_)
+                 : 0;
     executor.parallel_for(static_cast<std::size_t>(size_.y), block_size, [&](std::size_t begin, std::size_t end) {
       for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-        for (int x = 0; x < size_.x; ++x) image(x, y) = total({x, y}).mean();
+        for (int x = 0; x < size_.x; ++x) {
+          image(x, y) = splatted ? total({x, y}).mean() + splats_.sum({x, y}, factor) : total({x, y}).mean();
+        }
       }
     });
     return image;
   }
 
-  /// Forgets all samples.
-  void clear() noexcept { std::fill(sums_.begin(), sums_.end(), Sums{}); }
+  /// Forgets all samples and splats.
+  void clear() noexcept {
+    std::fill(sums_.begin(), sums_.end(), Sums{});
+    splats_ = {};
+    splatting_paths_ = 0;
+  }
 
  private:
   static constexpr std::size_t widest_footprint = 2 * static_cast<std::size_t>(max_radius) + 1;
@@ -255,6 +277,8 @@ class Film {
   int stride_ = 0;    ///< sums in a row of a block
   Vec2i grid_{0};
   std::vector<Sums> sums_;
+  Splats splats_;
+  std::uint64_t splatting_paths_ = 0;
 };
 
 }  // namespace glint

@@ -5,11 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <glint/camera/concepts.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/film/film.hpp>
+#include <glint/film/splats.hpp>
 #include <glint/integrator/concepts.hpp>
 #include <glint/render/options.hpp>
 #include <glint/render/report.hpp>
@@ -24,12 +27,16 @@ namespace detail {
 /// What all samples of a rendering have in common. A value of references: it lives as long as one call of render.
 template <SceneLike S, RayGenerator G, typename I, SampleSequence Q>
 struct RenderTask {
+  using Stream = decltype(std::declval<const Q&>().stream(Vec2i{}, 0));
+  static constexpr bool splats = SplattingIntegratorFor<I, Counted<S>, Stream, G>;
+
   const S& scene;
   const G& generator;
   const I& integrator;
   const Q& sequence;
   const RenderOptions& options;
   Vec2i film_size;
+  Splats* splats_to;  ///< null where the integrator does not splat
 
   /// Adds all samples of one pixel; false, and nothing added, once the rendering is to stop.
   template <typename Block>
@@ -43,11 +50,25 @@ struct RenderTask {
       const Vec2<float> lens = sampler.next_2d();
       const Vec2<float> at = Vec2<float>(pixel) + jitter;
       const Ray<float> ray = generator.ray(Vec2<float>{at.x * scale.x, 1 - at.y * scale.y}, lens);
-      const Rgb value = integrator.radiance(counted, ray, sampler);
+      const Rgb value = radiance(counted, ray, sampler, report);
       report.dropped += block.add(at, value) ? 0U : 1U;
     }
     report.samples += static_cast<std::uint64_t>(options.samples);
     return true;
+  }
+
+  template <typename R>
+  [[nodiscard]] Rgb radiance(const Counted<S>& counted, const Ray<float>& ray, R& sampler, RenderReport& report) const {
+    if constexpr (splats) {
+      const auto splat = [&](const Vec2<float>& film, const Rgb& value) {
+        const Vec2i pixel = Vec2i(Vec2<float>{film.x, 1 - film.y} * Vec2<float>(film_size));
+        const Vec2i in_image{std::min(pixel.x, film_size.x - 1), std::min(pixel.y, film_size.y - 1)};
+        report.dropped += splats_to->add(in_image, value) ? 0U : 1U;
+      };
+      return integrator.radiance(counted, ray, sampler, generator, splat);
+    } else {
+      return integrator.radiance(counted, ray, sampler);
+    }
   }
 
   /// Renders a film block pixel by pixel, until stopped.
@@ -59,9 +80,6 @@ struct RenderTask {
     }
   }
 };
-
-template <SceneLike S, RayGenerator G, typename I, SampleSequence Q>
-RenderTask(const S&, const G&, const I&, const Q&, const RenderOptions&, Vec2i) -> RenderTask<S, G, I, Q>;
 
 /// A film's blocks in square groups, which is how they are handed to threads.
 class Tiles {
@@ -116,7 +134,8 @@ class ProgressTeller {
 
 }  // namespace detail
 
-/// Renders a scene: for every pixel, `options.samples` camera paths whose values are added to the film.
+/// Renders a scene: for every pixel, `options.samples` camera paths whose values are added to the film, and with an
+/// integrator that splats (SplattingIntegratorFor) as many light paths, which go to any pixel.
 ///
 /// The image is a function of scene, camera, integrator, film and sequence alone: the same bits for every executor,
 /// number of threads and tile size.
@@ -130,7 +149,11 @@ RenderReport render(const S& scene, const C& camera, const I& integrator, Film<F
                     const RenderOptions& options = {}, const E& executor = {}, const Q& sequence = {}) {
   const Vec2i size = film.size();
   const auto generator = camera.rays(static_cast<float>(size.x) / static_cast<float>(size.y));
-  const detail::RenderTask task{scene, generator, integrator, sequence, options, size};
+  const auto& ready = prepared(integrator, scene);
+  using Task = detail::RenderTask<S, std::remove_cvref_t<decltype(generator)>, std::remove_cvref_t<decltype(ready)>, Q>;
+  Splats* splats = nullptr;
+  if constexpr (Task::splats) splats = &film.splats();
+  const Task task{scene, generator, ready, sequence, options, size, splats};
   const detail::Tiles tiles(film.block_grid(),
                             std::max(1, (options.tile_size + Film<F>::block_size - 1) / Film<F>::block_size));
   std::vector<RenderReport> reports(tiles.count());
@@ -146,6 +169,7 @@ RenderReport render(const S& scene, const C& camera, const I& integrator, Film<F
 
   RenderReport total;
   for (const RenderReport& report : reports) total += report;
+  if constexpr (Task::splats) film.count_splatting_paths(total.samples);
   total.seconds = teller.seconds();
   return total;
 }
