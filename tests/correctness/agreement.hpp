@@ -18,6 +18,7 @@
 #include <glint/film/film.hpp>
 #include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
+#include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/material/material_table.hpp>
 #include <glint/render/render.hpp>
@@ -72,9 +73,13 @@ template <typename S, typename I>
   return {mean, std::sqrt(std::max(0.0, squares / renderings - mean * mean) / (renderings - 1))};
 }
 
+/// Whether a box has anything that is seen through a specular surface, which no path from a light can show a pinhole.
+enum class SeenThroughGlass { No, Yes };
+
 /// Rows that compare each integrator with the walk that finds light by chance, which has hardly anything to get wrong.
 template <typename S>
-void add_agreement(std::vector<Row>& rows, const std::string& box, const S& scene, int samples) {
+void add_agreement(std::vector<Row>& rows, const std::string& box, const S& scene, int samples,
+                   SeenThroughGlass glass = SeenThroughGlass::No) {
   for (const int depth : {3, 8}) {
     const auto path = [&](LightStrategy strategy) {
       return Path{.max_depth = depth, .roulette_below = 0.1F, .strategy = strategy};
@@ -85,6 +90,10 @@ void add_agreement(std::vector<Row>& rows, const std::string& box, const S& scen
     };
     add("path, MIS", picture_mean(scene, path(LightStrategy::Mis), 2000, samples));
     add("path, next event", picture_mean(scene, path(LightStrategy::NextEvent), 3000, samples));
+    if (glass == SeenThroughGlass::No) {
+      const LightTracer tracer{.max_depth = depth};
+      add("light tracer", picture_mean(scene, tracer, 4000, samples));
+    }
   }
 }
 
@@ -95,7 +104,7 @@ void add_agreement(std::vector<Row>& rows, const std::string& box, const S& scen
   Box box;
   add_agreement(rows, "diffuse box", box.scene(gray, gray), samples);
   add_agreement(rows, "glossy box", box.scene(metal, metal), samples);
-  add_agreement(rows, "box with a glass ball", box.scene(Dielectric{}, gray), samples);
+  add_agreement(rows, "box with a glass ball", box.scene(Dielectric{}, gray), samples, SeenThroughGlass::Yes);
   return rows;
 }
 
