@@ -3,6 +3,8 @@
 /// Everything but glint/testing/. A program that names the headers it uses compiles faster and needs fewer libraries:
 /// those outside io/ and core/tbb_executor.hpp need GLM alone.
 #include <glint/bsdf/blend.hpp>
+#include <glint/bsdf/coated_diffuse.hpp>
+#include <glint/bsdf/compensated.hpp>
 #include <glint/bsdf/concepts.hpp>
 #include <glint/bsdf/conductor.hpp>
 #include <glint/bsdf/dielectric.hpp>
@@ -10,6 +12,7 @@
 #include <glint/bsdf/lambertian.hpp>
 #include <glint/bsdf/metals.hpp>
 #include <glint/bsdf/microfacet.hpp>
+#include <glint/bsdf/microfacet_albedo.hpp>
 #include <glint/bsdf/mirror.hpp>
 #include <glint/bsdf/oren_nayar.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
@@ -98,6 +101,7 @@
 #include <glint/geometry/transform.hpp>
 #include <glint/geometry/triangle.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
+#include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/direct_light.hpp>
 #include <glint/integrator/emitters.hpp>
@@ -106,6 +110,7 @@
 #include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/mis.hpp>
 #include <glint/integrator/path.hpp>
+#include <glint/integrator/path_densities.hpp>
 #include <glint/integrator/roulette.hpp>
 #include <glint/io/error.hpp>
 #include <glint/io/file.hpp>

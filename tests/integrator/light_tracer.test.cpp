@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <glint/integrator/light_tracer.hpp>  // first, so the header proves it stands alone
 
-#include <cstring>
 #include <vector>
 
 #include <integrator/rooms.hpp>

@@ -13,6 +13,7 @@
 #include <glint/core/tbb_executor.hpp>
 #include <glint/geometry/elements.hpp>
 #include <glint/geometry/sphere.hpp>
+#include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/light/environment.hpp>
 #include <glint/sampler/stratified.hpp>
@@ -54,6 +55,14 @@ struct Constant {
     return value;
   }
 };
+/// Radiance 1, and light for the second pixel of the third row of a film of 4 × 4.
+struct Splatting {
+  Rgb radiance(const auto& /*scene*/, const glint::Ray<float>& /*ray*/, glint::Sampler auto& /*sampler*/,
+               const auto& /*camera*/, const auto& splat) const {
+    splat(glint::Vec2<float>{0.375F, 0.375F}, Rgb{0x1p-5F});
+    return 1;
+  }
+};
 struct ShowDirection {
   Rgb radiance(const auto& /*scene*/, const glint::Ray<float>& ray, glint::Sampler auto& /*sampler*/) const {
     return {ray.direction.x > 0 ? 1.0F : 0.0F, ray.direction.y > 0 ? 1.0F : 0.0F, 0.0F};
@@ -90,6 +99,27 @@ TEST_CASE("render: the same bits with stratified samples too", "[render]") {
   const glint::Stratified stratified{.samples_per_pixel = 4, .seed = 5};
   const auto expected = bytes(rendered(glint::BoxFilter{}, {.samples = 4}, Serial{}, stratified));
   CHECK(bytes(rendered(glint::BoxFilter{}, {.samples = 4}, glint::TbbExecutor(3), stratified)) == expected);
+}
+
+TEST_CASE("render: the same bits with light paths that splat anywhere", "[render]") {
+  const auto splatted = [](const auto& executor, int tile_size) {
+    Film film{{50, 37}};
+    const auto report =
+        render(scene, camera, glint::Bdpt{.max_depth = 4}, film, {.samples = 3, .tile_size = tile_size}, executor);
+    CHECK(report.dropped == 0);
+    CHECK_FALSE(film.splats().empty());
+    return bytes(film.develop());
+  };
+  const auto expected = splatted(Serial{}, 32);
+  CHECK(splatted(glint::TbbExecutor(1), 16) == expected);
+  CHECK(splatted(glint::TbbExecutor(4), 16) == expected);
+}
+
+TEST_CASE("render: a splat adds to its pixel what one path for each pixel would bring", "[render]") {
+  Film film{{4, 4}};
+  render(scene, camera, Splatting{}, film, {.samples = 2});
+  CHECK(film.develop()(1, 2) == Rgb{1.5F});  // 1 by the camera's paths, 16 · 1/32 by all splats
+  CHECK(film.develop()(0, 0) == Rgb{1});
 }
 
 TEST_CASE("render: another seed, other noise", "[render]") {

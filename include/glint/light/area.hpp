@@ -81,7 +81,8 @@ struct AreaLight {
                        .distance = distance,
                        .radiance = radiance_at(chosen->surface.uv),
                        .pdf = chosen->pdf,
-                       .target = offset_toward(chosen->surface, from)};
+                       .target = offset_toward(chosen->surface, from),
+                       .normal = chosen->surface.normal};
   }
 
   [[nodiscard]] Rgb emission(const Surface& at, const Vec3<float>& wo) const noexcept {

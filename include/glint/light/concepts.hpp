@@ -20,6 +20,7 @@ struct LightSample {
   bool is_delta = false;             ///< no other strategy can find this direction
   /// Where a shadow ray ends: the point on the light, moved off its surface. Of no meaning where distance is infinite.
   Vec3<float> target{0.0F};
+  Vec3<float> normal{0.0F};  ///< of the light's surface there, unit length; zero where the light has none
 };
 
 /// A source of light. What every light answers:
