@@ -208,15 +208,9 @@ class Film {
   template <Executor E = Serial>
   [[nodiscard]] Image develop(const E& executor = {}) const {
     Image image(size_);
-    const bool splatted = splatting_paths_ > 0 && !splats_.empty();
-    const double factor =
-        splatted ? static_cast<double>(size_.x) * static_cast<double>(size_.y) / static_cast<double>(splatting_paths_)
-                 : 0;
     executor.parallel_for(static_cast<std::size_t>(size_.y), block_size, [&](std::size_t begin, std::size_t end) {
       for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-        for (int x = 0; x < size_.x; ++x) {
-          image(x, y) = splatted ? total({x, y}).mean() + splats_.sum({x, y}, factor) : total({x, y}).mean();
-        }
+        for (int x = 0; x < size_.x; ++x) image(x, y) = value({x, y});
       }
     });
     return image;
@@ -256,6 +250,14 @@ class Film {
     return (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(grid_.x) + static_cast<std::size_t>(at.x)) *
                sums_per_block() +
            static_cast<std::size_t>(local.y * stride_ + local.x);
+  }
+
+  /// What a pixel shows.
+  [[nodiscard]] Rgb value(const Vec2i& pixel) const noexcept {
+    const Rgb mean = total(pixel).mean();
+    if (splatting_paths_ == 0 || splats_.empty()) return mean;
+    const double pixels = static_cast<double>(size_.x) * static_cast<double>(size_.y);
+    return mean + splats_.sum(pixel, pixels / static_cast<double>(splatting_paths_));
   }
 
   /// A pixel's sums over all blocks that reach it, in the order of the grid.

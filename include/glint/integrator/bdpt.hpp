@@ -59,46 +59,39 @@ class PreparedBdpt {
 
     Rgb throughput{1};
     Rgb sum;
-    PathDensities densities;
-    Vec3<float> from = ray.origin;
-    Vec3<float> from_normal{0.0F};
-    for (int segments = 1; segments <= max_depth_; ++segments) {
+    Arrival arrival{.from = ray.origin};
+    for (; arrival.segments <= max_depth_; ++arrival.segments) {
       const auto at = scene.interact(ray);
-      if (!at) return sum + throughput * found_background(scene, ray.direction, segments, from, from_normal, densities);
-      const float squared_distance = length_squared(at->surface.position - from);
-      const float cosine = std::abs(glm::dot(at->wo, at->surface.normal));
-      if (!(cosine > 0)) break;
-      if (segments == 1) {
-        const float density = importance(camera, ray, std::sqrt(squared_distance)) * cosine;
-        if (density > 0) densities.last = 1 / PathDensities::squared(static_cast<double>(density));
-      } else {
-        densities.arrive(static_cast<double>(squared_distance), static_cast<double>(cosine));
-      }
-      const Vertex<At> vertex{*at, at->to_local(at->wo), throughput, densities};
-      if (at->light < scene.light_count()) {
-        sum += throughput * found_light(scene, vertex, segments, from, from_normal);
-      }
-      if (segments == max_depth_) break;
-      if (!at->bsdf.is_specular()) {
-        sum += throughput * looked_for_light(scene, vertex, sampler);
-        const auto light_vertices = std::min(light_path.size(), static_cast<std::size_t>(max_depth_ - segments - 1));
-        for (std::size_t i = 0; i < light_vertices; ++i) sum += connected(scene, vertex, light_path[i]);
-      }
+      if (!at) return sum + throughput * found_background(scene, ray.direction, arrival);
+      if (!arrive(arrival, camera, ray, *at)) break;
+      const Vertex<At> vertex{*at, at->to_local(at->wo), throughput, arrival.densities};
+      if (at->light < scene.light_count()) sum += throughput * found_light(scene, vertex, arrival);
+      if (arrival.segments == max_depth_) break;
+      if (!at->bsdf.is_specular()) sum += joined(scene, vertex, light_path, arrival.segments, sampler);
+
       const float lobe = sampler.next_1d();
       const auto scattered = at->bsdf.sample(vertex.wo, lobe, sampler.next_2d());
       if (!scattered) break;
       const Vec3<float> direction = at->to_world(scattered->wi);
       throughput *= scattered->weight;
       if (!survives_roulette(throughput, roulette_below_, sampler)) break;
-      leave(densities, vertex, *scattered, direction);
-      from = at->surface.position;
-      from_normal = at->frame.z;
+      leave(arrival.densities, vertex, *scattered, direction);
+      arrival.from = at->surface.position;
+      arrival.normal = at->frame.z;
       ray = at->leave(direction);
     }
     return sum;
   }
 
  private:
+  /// How the camera's path came to where it is.
+  struct Arrival {
+    Vec3<float> from{0.0F};
+    Vec3<float> normal{0.0F};  ///< for shading, there
+    PathDensities densities{};
+    int segments = 1;
+  };
+
   template <typename At>
   struct Vertex {
     At at;
@@ -120,6 +113,30 @@ class PreparedBdpt {
     const bool specular = scattered.lobe == Lobe::Specular;
     const float reverse = specular ? 0.0F : vertex.at.bsdf.pdf(scattered.wi, vertex.wo);
     densities.leave(scattered, static_cast<double>(cosine(vertex.at, direction)), static_cast<double>(reverse));
+  }
+
+  /// False where the surface is seen from its edge, from where nothing is.
+  template <RayGenerator G, typename At>
+  [[nodiscard]] static bool arrive(Arrival& arrival, const G& camera, const Ray<float>& ray, const At& at) {
+    const float squared_distance = length_squared(at.surface.position - arrival.from);
+    const float cos_in = cosine(at, at.wo);
+    if (!(cos_in > 0)) return false;
+    if (arrival.segments > 1) {
+      arrival.densities.arrive(static_cast<double>(squared_distance), static_cast<double>(cos_in));
+      return true;
+    }
+    const float density = importance(camera, ray, std::sqrt(squared_distance)) * cos_in;
+    if (density > 0) arrival.densities.last = 1 / PathDensities::squared(static_cast<double>(density));
+    return true;
+  }
+
+  /// A vertex of the camera's path joined to a light, and to the vertices of the light's path.
+  template <SceneLike S, typename At, typename Path, Sampler R>
+  [[nodiscard]] Rgb joined(const S& scene, const Vertex<At>& vertex, Path& light_path, int segments, R& sampler) const {
+    Rgb sum = vertex.carried * looked_for_light(scene, vertex, sampler);
+    const auto count = std::min(light_path.size(), static_cast<std::size_t>(max_depth_ - segments - 1));
+    for (std::size_t i = 0; i < count; ++i) sum += connected(scene, vertex, light_path[i]);
+    return sum;
   }
 
   /// The path from a light, up to where one more segment leads to the camera. Each vertex is shown to the camera.
@@ -202,31 +219,29 @@ class PreparedBdpt {
 
   /// A light met by chance.
   template <SceneLike S, typename At>
-  [[nodiscard]] Rgb found_light(const S& scene, const Vertex<At>& vertex, int segments, const Vec3<float>& from,
-                                const Vec3<float>& from_normal) const {
+  [[nodiscard]] Rgb found_light(const S& scene, const Vertex<At>& vertex, const Arrival& arrival) const {
     const At& at = vertex.at;
     const auto& light = scene.light(at.light);
     const Rgb radiance = emission(light, at.surface, at.wo);
-    if (segments == 1 || is_black(radiance)) return radiance;
-    const float to_area = cosine(at, at.wo) / length_squared(at.surface.position - from);
-    const float direct =
-        scene.light_sampler().probability(from, from_normal, at.light) * surface_pdf(light, from, at.surface) * to_area;
+    if (arrival.segments == 1 || is_black(radiance)) return radiance;
+    const float to_area = cosine(at, at.wo) / length_squared(at.surface.position - arrival.from);
+    const float direct = scene.light_sampler().probability(arrival.from, arrival.normal, at.light) *
+                         surface_pdf(light, arrival.from, at.surface) * to_area;
     const float emitted = emitters_.pdf(light, at.light, at.surface, at.wo);
     return radiance * weight(vertex.densities.others_at_end(static_cast<double>(direct), static_cast<double>(emitted)));
   }
 
   template <SceneLike S>
-  [[nodiscard]] Rgb found_background(const S& scene, const Vec3<float>& direction, int segments,
-                                     const Vec3<float>& from, const Vec3<float>& from_normal,
-                                     const PathDensities& densities) const {
-    if (segments == 1) return scene.background(direction);
+  [[nodiscard]] Rgb found_background(const S& scene, const Vec3<float>& direction, const Arrival& arrival) const {
+    if (arrival.segments == 1) return scene.background(direction);
     Rgb sum;
     for (const std::uint32_t i : scene.infinite_lights()) {
       const auto& light = scene.light(i);
-      const float direct = scene.light_sampler().probability(from, from_normal, i) * background_pdf(light, direction);
+      const float direct =
+          scene.light_sampler().probability(arrival.from, arrival.normal, i) * background_pdf(light, direction);
       const float emitted = emitters_.pdf(light, i, Surface{}, -direction);
       sum += background(light, direction) *
-             weight(densities.others_at_end(static_cast<double>(direct), static_cast<double>(emitted)));
+             weight(arrival.densities.others_at_end(static_cast<double>(direct), static_cast<double>(emitted)));
     }
     return sum;
   }
