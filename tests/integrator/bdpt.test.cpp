@@ -103,6 +103,13 @@ TEST_CASE("bdpt: in a furnace the radiance is the geometric series, at every dep
   CHECK(std::abs(seen.mean - expected) <= bound * seen.error + 1e-5);
 }
 
+TEST_CASE("bdpt: a lamp lights a floor by Lambert's formula", "[integrator][bdpt]") {
+  const FloorBelowLamp below;
+  const auto seen = block_means(Bdpt{.max_depth = 2}, below.scene(), below.camera, 20, 16, 1).blocks.at(4);
+  CHECK(std::abs(seen.mean - floor_below_lamp(0.5, 0.5)) <= bound * seen.error + 1e-6);
+  CHECK(seen.error < 0.02 * seen.mean);
+}
+
 TEST_CASE("bdpt: no depth, no light", "[integrator][bdpt]") {
   const Furnace furnace;
   CHECK(block_means(Bdpt{.max_depth = 0}, furnace.scene(0.5F), view, 1, 2, 1).blocks.at(4).mean == 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <glint/integrator/light_tracer.hpp>  // first, so the header proves it stands alone
 
+#include <cmath>
 #include <vector>
 
 #include <integrator/rooms.hpp>
@@ -74,6 +75,13 @@ TEST_CASE("light tracer: a point light lights a floor by the inverse square and 
   // ρ/π · I/h², but for a fall of 2e-3 toward the corners; few paths hit: the error is what they say.
   CHECK(std::abs(seen.mean - 0.5 / glint::pi<double> * 100 / 16) < 5 * seen.error + 2e-3);
   CHECK(seen.error < 0.05);
+}
+
+TEST_CASE("light tracer: a lamp lights a floor by Lambert's formula", "[integrator][light_tracer]") {
+  const FloorBelowLamp below;
+  const auto seen = block_means(LightTracer{.max_depth = 2}, below.scene(), below.camera, 200, 16, 1).blocks.at(4);
+  CHECK(std::abs(seen.mean - floor_below_lamp(0.5, 0.5)) <= bound * seen.error + 1e-6);
+  CHECK(seen.error < 0.02 * seen.mean);
 }
 
 TEST_CASE("light tracer: depth one shows the lights alone", "[integrator][light_tracer]") {

@@ -8,6 +8,7 @@
 
 #include <integrator/rooms.hpp>
 
+#include <glint/camera/orthographic.hpp>
 #include <glint/camera/perspective.hpp>
 #include <glint/film/film.hpp>
 #include <glint/render/render.hpp>
@@ -83,3 +84,38 @@ inline double largest_z(const BlockMeans& a, const BlockMeans& b) {
   }
   return largest;
 }
+
+/// The radiance of a floor of reflectance ρ, averaged over a square window of half width `window` below the center of a
+/// square lamp of half width 1 and radiance 1 at height 2, by Lambert's formula for the irradiance of a polygon: an
+/// element whose normal meets a corner of a parallel rectangle, x by y at unit height, receives
+/// (x atan(y / √(1 + x²)) / √(1 + x²) + y atan(x / √(1 + y²)) / √(1 + y²)) / 2.
+inline double floor_below_lamp(double reflectance, double window) {
+  const auto by_corner = [](double x, double y) {
+    const double u = std::sqrt(1 + x * x);
+    const double v = std::sqrt(1 + y * y);
+    return 0.5 * (x / u * std::atan(y / u) + y / v * std::atan(x / v));
+  };
+  constexpr int points = 32;
+  double sum = 0;
+  for (int i = 0; i < points * points; ++i) {
+    const int row = i / points;
+    const double x = window * ((i % points + 0.5) / points * 2 - 1);
+    const double y = window * ((row + 0.5) / points * 2 - 1);
+    for (const double right : {1 - x, 1 + x}) {
+      for (const double up : {1 - y, 1 + y}) sum += by_corner(right / 2, up / 2);
+    }
+  }
+  return reflectance / glint::pi<double> * sum / (points * points);
+}
+
+/// That floor and lamp, and the floor's window as a camera sees it from below the lamp.
+struct FloorBelowLamp {
+  std::vector<glint::Quad<float>> quads{{{-3, 0, -3}, {0, 0, 6}, {6, 0, 0}}, {{-1, 2, -1}, {2, 0, 0}, {0, 0, 2}}};
+  glint::Orthographic camera{.eye = {0, 1, 0}, .target = {0, 0, 0}, .up = {0, 0, -1}, .height = 1};
+
+  [[nodiscard]] auto scene() const {
+    const glint::Lights<glint::AreaLight<glint::Quad<float>>> lights{{{quads[1], glint::Rgb{1}}},
+                                                                     {glint::none<std::uint32_t>, 0}};
+    return glint::Scene{glint::Bvh{glint::Elements{quads}}, glint::Lambertian{glint::Rgb{0.5F}}, lights};
+  }
+};

@@ -48,6 +48,8 @@ struct EmittedRay {
 ///                                    const Aabb<float>& scene) const;
 ///     EmissionPdf emission_pdf(const Surface& at, const Vec3<float>& direction, const Aabb<float>& scene) const;
 ///
+/// If its rays leave a surface, its samples say that surface's normal (LightSample).
+///
 /// Laws: testing/light_laws.hpp: the mean flux of the rays is power(scene).
 template <typename L>
 concept EmittingLight = Light<L> &&
