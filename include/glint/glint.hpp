@@ -16,6 +16,7 @@
 #include <glint/bsdf/mirror.hpp>
 #include <glint/bsdf/oren_nayar.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
+#include <glint/bsdf/perturbed.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/bsdf/rough_dielectric.hpp>
 #include <glint/bsdf/thin_dielectric.hpp>
@@ -37,6 +38,7 @@
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/layout/binary.hpp>
 #include <glint/bvh/layout/collapse.hpp>
+#include <glint/bvh/layout/filtered_leaves.hpp>
 #include <glint/bvh/layout/joined_leaves.hpp>
 #include <glint/bvh/layout/quantized.hpp>
 #include <glint/bvh/layout/triangle_blocks.hpp>
@@ -95,6 +97,7 @@
 #include <glint/geometry/ray_packet.hpp>
 #include <glint/geometry/ray_triangle.hpp>
 #include <glint/geometry/ray_triangle_pack.hpp>
+#include <glint/geometry/set/filtered.hpp>
 #include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
 #include <glint/geometry/surface.hpp>
@@ -153,6 +156,7 @@
 #include <glint/material/blended.hpp>
 #include <glint/material/concepts.hpp>
 #include <glint/material/material_table.hpp>
+#include <glint/material/normal_map.hpp>
 #include <glint/material/textured.hpp>
 #include <glint/material/two_sided.hpp>
 #include <glint/math/affine.hpp>
