@@ -154,6 +154,7 @@
 #include <glint/light/spot.hpp>
 #include <glint/light/triangle_sampler.hpp>
 #include <glint/material/blended.hpp>
+#include <glint/material/bump_map.hpp>
 #include <glint/material/concepts.hpp>
 #include <glint/material/material_table.hpp>
 #include <glint/material/normal_map.hpp>
