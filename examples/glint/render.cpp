@@ -19,12 +19,13 @@
 #include <glint/io/image.hpp>
 #include <glint/io/image_limits.hpp>
 #include <glint/io/scene_json.hpp>
-#include <glint/render/render.hpp>
+#include <glint/render/options.hpp>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "render_job.hpp"
 
 namespace {
 
@@ -119,7 +120,7 @@ Rendering render_scene(const glint::SceneFile& file, const RenderArguments& argu
   }
   const auto sequence = glint::sequence_of(file.sampler, file.integrator.samples);
   const auto report = file.integrator.integrator.visit([&](const auto& integrator) {
-    return glint::render(scene, file.camera, integrator, film, options, executor, sequence);
+    return render({scene, file.camera, film, options, executor, sequence}, integrator);
   });
   return {film.develop(executor), report};
 }
@@ -188,7 +189,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("--resolution", a->resolution, "Image size, as 640x480")
       ->check(CLI::Validator(resolution_problem, ""))
       ->option_text("WxH");
-  command->add_option("--integrator", a->reading.integrator, "Replace the scene's integrator: path, intersection_test")
+  command
+      ->add_option("--integrator", a->reading.integrator,
+                   "Replace the scene's integrator: path, bdpt, light_tracer, random_walk, intersection_test")
       ->option_text("NAME");
   command->add_option("--override", a->reading.overrides, "Merged into the scene; may be given several times")
       ->allow_extra_args(false)

@@ -114,24 +114,34 @@ TEST_CASE("scene settings: every spelling of a light strategy", "[io][scene]") {
   for (const char* const name : {"RW", "RandomWalk"}) CHECK(strategy(name) == LightStrategy::RandomWalk);
 }
 
-TEST_CASE("scene settings: bdpt and photon are rendered by path, and say so", "[io][scene]") {
-  for (const char* const text :
-       {R"({"type": "bdpt", "spp": 128, "profile": "MIS", "rr_threshold": 0.1})",
-        R"({"type": "photon", "spp": 128, "n_photons": 1000, "n_iterations": 4, "n_near_photons": 8})"}) {
-    JsonText json(text);
-    json.source.strict = true;  // not an oddity of the file
-    const auto settings = read_integrator(json.object("/integrator"), false);
-    CHECK(settings.integrator.get_if<Path>() != nullptr);
-    CHECK(settings.samples == 128);
-    CHECK(json.source.warnings == std::vector<std::string>{"scene.json:/integrator/type: rendered with \"path\", as "
-                                                           "this integrator is not available"});
-  }
+TEST_CASE("scene settings: photon is rendered by path, and says so", "[io][scene]") {
+  JsonText json(R"({"type": "photon", "spp": 128, "n_photons": 1000, "n_iterations": 4, "n_near_photons": 8})");
+  json.source.strict = true;  // not an oddity of the file
+  const auto settings = read_integrator(json.object("/integrator"), false);
+  CHECK(settings.integrator.get_if<Path>() != nullptr);
+  CHECK(settings.samples == 128);
+  CHECK(json.source.warnings == std::vector<std::string>{"scene.json:/integrator/type: rendered with \"path\", as "
+                                                         "this integrator is not available"});
+}
+
+TEST_CASE("scene settings: paths may begin at the camera, at lights, or at both", "[io][scene]") {
+  const auto read = [](const char* text) { return read_any_integrator(JsonText(text).object("/x")).integrator; };
+  const auto both = read(R"({"type": "bdpt", "max_depth": 5, "rr_threshold": 0.2, "profile": "MIS"})");
+  REQUIRE(both.get_if<glint::Bdpt>() != nullptr);
+  CHECK(both.get_if<glint::Bdpt>()->max_depth == 5);
+  CHECK(both.get_if<glint::Bdpt>()->roulette_below == 0.2F);
+  const auto lights = read(R"({"type": "light_tracer", "max_depth": 3})");
+  REQUIRE(lights.get_if<glint::LightTracer>() != nullptr);
+  CHECK(lights.get_if<glint::LightTracer>()->max_depth == 3);
+  const auto walk = read(R"({"type": "random_walk"})");
+  REQUIRE(walk.get_if<Path>() != nullptr);
+  CHECK(walk.get_if<Path>()->strategy == glint::LightStrategy::RandomWalk);
 }
 
 TEST_CASE("scene settings: a wrong integrator is an error that tells what was found and expected", "[io][scene]") {
   const auto error = [](const char* text) { return json_error(text, read_any_integrator); };
   CHECK(error(R"({"type": "pth"})") ==
-        "/x/type: found \"pth\", expected one of \"intersection_test\", \"path\", "
+        "/x/type: found \"pth\", expected one of \"intersection_test\", \"path\", \"random_walk\", \"light_tracer\", "
         "\"bdpt\", \"photon\"; did you mean \"path\"?");
   CHECK(error(R"({"type": 3})") == "/x/type: found 3, expected a string");
   CHECK(error(R"({"spp": -4})") == "/x/spp: found -4, expected an integer from 1 to 16777216");

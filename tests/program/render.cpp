@@ -178,7 +178,7 @@ TEST_CASE("program: render --strict makes unknown keys errors", "[program]") {
 
 TEST_CASE("program: render tells of an integrator it stands in for", "[program]") {
   const Workshop workshop;
-  const Outcome outcome = workshop.render({"--override", R"({"integrator": {"type": "bdpt"}})", "--quiet"});
+  const Outcome outcome = workshop.render({"--override", R"({"integrator": {"type": "photon"}})", "--quiet"});
   CHECK(outcome.status == 0);
   CHECK(outcome.err ==
         "glint: warning: scene.json:/integrator/type: rendered with \"path\", as this integrator is "

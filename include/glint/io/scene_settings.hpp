@@ -14,7 +14,9 @@
 #include <glint/camera/thin_lens.hpp>
 #include <glint/core/one_of.hpp>
 #include <glint/film/filter.hpp>
+#include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/intersection_test.hpp>
+#include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/io/image_limits.hpp>
 #include <glint/io/json_object.hpp>
@@ -31,7 +33,7 @@ namespace glint {
 
 using SceneCamera = OneOf<Perspective, ThinLens, Orthographic, Panoramic>;
 using SceneFilter = OneOf<BoxFilter, TentFilter, GaussianFilter, MitchellFilter>;
-using SceneIntegrator = OneOf<IntersectionTest, Path>;
+using SceneIntegrator = OneOf<IntersectionTest, Path, LightTracer, Bdpt>;
 using SceneSequence = OneOf<Independent, Stratified, Halton, Sobol, ZSobol>;
 
 struct FilmSettings {
@@ -127,11 +129,13 @@ inline void require_type(JsonObject& object, std::string_view name) {
   return result;
 }
 
-enum class IntegratorKind : std::uint8_t { IntersectionTest, Path, Bdpt, Photon };
+enum class IntegratorKind : std::uint8_t { IntersectionTest, Path, RandomWalk, LightTracer, Bdpt, Photon };
 
-inline constexpr std::array<std::pair<std::string_view, IntegratorKind>, 4> integrator_kinds{
+inline constexpr std::array<std::pair<std::string_view, IntegratorKind>, 6> integrator_kinds{
     {{"intersection_test", IntegratorKind::IntersectionTest},
      {"path", IntegratorKind::Path},
+     {"random_walk", IntegratorKind::RandomWalk},
+     {"light_tracer", IntegratorKind::LightTracer},
      {"bdpt", IntegratorKind::Bdpt},
      {"photon", IntegratorKind::Photon}}};
 inline constexpr std::array<std::pair<std::string_view, LightStrategy>, 6> light_strategies{
@@ -151,7 +155,7 @@ inline constexpr std::array<std::pair<std::string_view, Falloff>, 3> falloffs{
   using detail::IntegratorKind;
   const auto kind = detail::choice_or(object, "type", IntegratorKind::Path, detail::integrator_kinds);
   const bool direct = kind == IntegratorKind::IntersectionTest;
-  if (kind == IntegratorKind::Bdpt || kind == IntegratorKind::Photon) {
+  if (kind == IntegratorKind::Photon) {
     object.source().note(object.pointer() + "/type", "rendered with \"path\", as this integrator is not available");
   }
   IntegratorSettings result;
@@ -163,10 +167,23 @@ inline constexpr std::array<std::pair<std::string_view, Falloff>, 3> falloffs{
   result.point_lights = detail::read_own_point_lights(object, direct && !scene_has_lights);
   object.ignore({"n_photons", "n_iterations", "n_near_photons"});
   object.finish();
-  if (direct) {
-    result.integrator = IntersectionTest{.max_depth = max_depth, .falloff = falloff};
-  } else {
-    result.integrator = Path{.max_depth = max_depth, .roulette_below = roulette, .strategy = strategy};
+  switch (kind) {
+    case IntegratorKind::IntersectionTest:
+      result.integrator = IntersectionTest{.max_depth = max_depth, .falloff = falloff};
+      break;
+    case IntegratorKind::LightTracer:
+      result.integrator = LightTracer{.max_depth = max_depth, .roulette_below = roulette};
+      break;
+    case IntegratorKind::Bdpt:
+      result.integrator = Bdpt{.max_depth = max_depth, .roulette_below = roulette};
+      break;
+    case IntegratorKind::RandomWalk:
+      result.integrator =
+          Path{.max_depth = max_depth, .roulette_below = roulette, .strategy = LightStrategy::RandomWalk};
+      break;
+    case IntegratorKind::Path:
+    case IntegratorKind::Photon:
+      result.integrator = Path{.max_depth = max_depth, .roulette_below = roulette, .strategy = strategy};
   }
   return result;
 }
