@@ -104,6 +104,7 @@
 #include <glint/geometry/transform.hpp>
 #include <glint/geometry/triangle.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
+#include <glint/integrator/ambient_occlusion.hpp>
 #include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/direct_light.hpp>
@@ -112,6 +113,7 @@
 #include <glint/integrator/light_scattering.hpp>
 #include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/mis.hpp>
+#include <glint/integrator/normals.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/integrator/path_densities.hpp>
 #include <glint/integrator/roulette.hpp>
