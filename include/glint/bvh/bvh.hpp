@@ -8,6 +8,7 @@
 
 #include <glint/bvh/build/binned_sah.hpp>
 #include <glint/bvh/concepts.hpp>
+#include <glint/bvh/layout/filtered_leaves.hpp>
 #include <glint/bvh/layout/joined_leaves.hpp>
 #include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>

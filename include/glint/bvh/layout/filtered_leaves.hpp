@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <concepts>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <glint/bvh/concepts.hpp>
+#include <glint/bvh/leaves.hpp>
+#include <glint/bvh/tree.hpp>
+#include <glint/core/config.hpp>
+#include <glint/core/executor.hpp>
+#include <glint/geometry/concepts.hpp>
+#include <glint/geometry/hit.hpp>
+#include <glint/geometry/ray.hpp>
+#include <glint/geometry/set/filtered.hpp>
+
+namespace glint {
+
+/// Leaves of a filtered set: tested in the way of the set itself, in blocks say, as if every hit counted. Only a leaf
+/// whose closest hit the filter rejects is asked again, one primitive after another. A slot is a leaf.
+template <typename Choice, PrimitiveSet S, typename Accept>
+class FilteredLeaves {
+ public:
+  using Set = Filtered<S, Accept>;
+  using Scalar = typename Set::Scalar;
+  using Index = typename Set::Index;
+
+ private:
+  using TreeOfSet = Tree<Scalar, Index>;
+  using AllLeaves = decltype(make_leaves(std::declval<const S&>(), std::declval<TreeOfSet&>(), Choice{}, Serial{}));
+  struct Runs {
+    Slots<Index> all;
+    Slots<Index> single;
+  };
+
+ public:
+  static constexpr std::size_t block_size = AllLeaves::block_size;
+
+  /// Renumbers the leaves of the tree: one slot each. Requires: a valid tree over the set.
+  template <Executor E>
+  FilteredLeaves(const Set& set, TreeOfSet& tree, const E& executor)
+      : single_(tree.order), runs_(runs_of(tree)), all_(make_leaves(set.set(), tree, Choice{}, executor)) {
+    Index slot = 0;
+    for (BinaryNode<Scalar, Index>& node : tree.nodes) {
+      if (!node.is_leaf()) continue;
+      runs_[slot].all = {node.first, node.count};
+      node.first = slot++;
+      node.count = 1;
+    }
+  }
+
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto prepare(const Set& set, const Ray<Scalar>& ray) const {
+    return all_.prepare(set.set(), ray);
+  }
+  template <typename Prepared>
+  GLINT_ALWAYS_INLINE bool closest(const Set& set, const Ray<Scalar>& ray, const Prepared& prepared, Slots<Index> slots,
+                                   Hit<Scalar, Index>& best) const {
+    const Runs& runs = runs_[slots.first];
+    Hit<Scalar, Index> hit = best;
+    if (!all_.closest(set.set(), ray, prepared, runs.all, hit)) return false;
+    if (!set.accepts(ray, hit)) return single_.closest(set, ray, single_.prepare(set, ray), runs.single, best);
+    best = hit;
+    return true;
+  }
+  template <typename Prepared>
+  [[nodiscard]] GLINT_ALWAYS_INLINE bool occluded(const Set& set, const Ray<Scalar>& ray, const Prepared& prepared,
+                                                  Slots<Index> slots) const {
+    const Runs& runs = runs_[slots.first];
+    return all_.occluded(set.set(), ray, prepared, runs.all) &&
+           single_.occluded(set, ray, single_.prepare(set, ray), runs.single);
+  }
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return single_.bytes() + runs_.size() * sizeof(Runs) + all_.bytes();
+  }
+
+ private:
+  [[nodiscard]] static std::vector<Runs> runs_of(const TreeOfSet& tree) {
+    std::vector<Runs> runs;
+    for (const BinaryNode<Scalar, Index>& node : tree.nodes)
+      if (node.is_leaf()) runs.push_back({{}, {node.first, node.count}});
+    return runs;
+  }
+
+  IndexedLeaves<Set> single_;
+  std::vector<Runs> runs_;
+  AllLeaves all_;  // last, for it may renumber slots
+};
+
+template <PrimitiveSet S, typename Accept, typename Choice, Executor E>
+[[nodiscard]] FilteredLeaves<Choice, S, Accept> make_leaves(const Filtered<S, Accept>& set,
+                                                            Tree<typename S::Scalar, typename S::Index>& tree,
+                                                            Choice /*choice*/, const E& executor) {
+  return FilteredLeaves<Choice, S, Accept>(set, tree, executor);
+}
+
+}  // namespace glint
