@@ -26,8 +26,8 @@
 #include <glint/testing/random_rays.hpp>
 #include <glint/testing/ray_caster_laws.hpp>
 
-#include <support/timing.hpp>
 #include <support/bench.hpp>
+#include <support/timing.hpp>
 
 /// What a node costs a ray, what a leaf does, and each block of triangles in it. Trees of many leaf sizes are timed,
 /// then walked again by copies that count; least squares tell the costs apart. Builders weigh binary nodes, of which a

@@ -25,11 +25,11 @@
 #include <peers/judge.hpp>
 #include <peers/options.hpp>
 #include <peers/race.hpp>
-#include <support/ray_sets.hpp>
 #include <peers/report.hpp>
-#include <support/timing.hpp>
 #include <support/meshes.hpp>
 #include <support/named_mesh.hpp>
+#include <support/ray_sets.hpp>
+#include <support/timing.hpp>
 
 namespace {
 

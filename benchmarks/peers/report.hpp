@@ -9,8 +9,8 @@
 #include <peers/contenders.hpp>
 #include <peers/embree.hpp>
 #include <peers/race.hpp>
-#include <support/timing.hpp>
 #include <support/named_mesh.hpp>
+#include <support/timing.hpp>
 
 /// What was measured, for people and for programs.
 namespace glint::bench {
