@@ -191,7 +191,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->option_text("WxH");
   command
       ->add_option("--integrator", a->reading.integrator,
-                   "Replace the scene's integrator: path, bdpt, light_tracer, random_walk, intersection_test")
+                   "Replace the scene's integrator: path, bdpt, light_tracer, random_walk, intersection_test, "
+                   "ambient_occlusion, normals")
       ->option_text("NAME");
   command->add_option("--override", a->reading.overrides, "Merged into the scene; may be given several times")
       ->allow_extra_args(false)

@@ -2,9 +2,11 @@
 #pragma once
 #include <glint/core/tbb_executor.hpp>
 #include <glint/film/film.hpp>
+#include <glint/integrator/ambient_occlusion.hpp>
 #include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/intersection_test.hpp>
 #include <glint/integrator/light_tracer.hpp>
+#include <glint/integrator/normals.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/io/scene_file.hpp>
 #include <glint/io/scene_settings.hpp>
@@ -26,3 +28,5 @@ glint::RenderReport render(const RenderJob& job, const glint::IntersectionTest& 
 glint::RenderReport render(const RenderJob& job, const glint::Path& integrator);
 glint::RenderReport render(const RenderJob& job, const glint::LightTracer& integrator);
 glint::RenderReport render(const RenderJob& job, const glint::Bdpt& integrator);
+glint::RenderReport render(const RenderJob& job, const glint::AmbientOcclusion& integrator);
+glint::RenderReport render(const RenderJob& job, const glint::Normals& integrator);

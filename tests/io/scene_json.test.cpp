@@ -124,7 +124,7 @@ TEST_CASE("scene: another integrator can be asked for", "[io][scene]") {
   CHECK(scene.warnings.empty());
   CHECK(scene_error(smallest, {.integrator = "psth"}) ==
         "--integrator: found \"psth\", expected one of \"intersection_test\", \"path\", \"random_walk\", "
-        "\"light_tracer\", \"bdpt\", \"photon\"; did you mean \"path\"?");
+        "\"light_tracer\", \"bdpt\", \"ambient_occlusion\", \"normals\", \"photon\"; did you mean \"path\"?");
 }
 
 TEST_CASE("scene: files that are no scenes are errors with their name", "[io][scene]") {

@@ -77,12 +77,47 @@ TEST_CASE("scene materials: glass and mirrors", "[io][scene]") {
 TEST_CASE("scene materials: a rough conductor is seen from outside, (etaT + i k) / etaI", "[io][scene]") {
   const auto material = material_of(R"({"type": "roughconductor", "texture_name": "grey", "alpha_x": 0.2,
     "etaI": [2, 2, 2], "etaT": [3, 4, 5], "k": [6, 7, 8]})");
-  const auto* conductor = material.get_if<glint::SceneRoughConductor>();
+  const auto* conductor = material.get_if<glint::SceneRoughConductor<glint::Beckmann>>();
   REQUIRE(conductor != nullptr);
   CHECK(conductor->base.eta == Rgb{1.5F, 2, 2.5F});
   CHECK(conductor->base.k == Rgb{3, 3.5F, 4});
   CHECK(conductor->base.distribution == glint::Beckmann{0.2F, 0.1F});
   CHECK(conductor->texture.evaluate(glint::Vec2<float>{0, 0}) == Rgb{0.5F});
+}
+
+TEST_CASE("scene materials: facets may be spread in two ways, and give back what they hide", "[io][scene]") {
+  const auto ggx = material_of(R"({"type": "roughconductor", "metal": "gold", "distribution": "ggx", "alpha_x": 0.3})");
+  const auto* rough = ggx.get_if<glint::SceneRoughConductor<glint::Ggx>>();
+  REQUIRE(rough != nullptr);
+  CHECK(rough->base.distribution == glint::Ggx{0.3F, 0.1F});
+  CHECK(rough->base.eta == glint::metals::gold.eta);
+  CHECK(rough->base.k == glint::metals::gold.k);
+  CHECK(rough->texture.evaluate(glint::Vec2<float>{0, 0}) == Rgb{1});
+  const auto whole = material_of(R"({"type": "roughconductor", "metal": "iron", "compensated": true})");
+  REQUIRE(whole.get_if<glint::SceneCompensatedConductor<glint::Beckmann>>() != nullptr);
+  CHECK(whole.get_if<glint::SceneCompensatedConductor<glint::Beckmann>>()->base.k == glint::metals::iron.k);
+  const auto glass = material_of(R"({"type": "roughglass", "distribution": "ggx", "alpha_y": 0.2, "T": [1, 0, 1]})");
+  REQUIRE(glass.get_if<glint::RoughDielectric<glint::Ggx>>() != nullptr);
+  CHECK(*glass.get_if<glint::RoughDielectric<glint::Ggx>>() ==
+        glint::RoughDielectric<glint::Ggx>{1, {1, 0, 1}, {0.1F, 0.2F}, 1.5F});
+  CHECK(material_of(R"({"type": "roughglass"})").get_if<glint::RoughDielectric<glint::Beckmann>>() != nullptr);
+}
+
+TEST_CASE("scene materials: clay, plastic, panes and polished metal", "[io][scene]") {
+  const auto clay = material_of(R"({"texture_name": "grey", "roughness": 0.5})");
+  REQUIRE(clay.get_if<glint::SceneRoughDiffuse>() != nullptr);
+  CHECK(clay.get_if<glint::SceneRoughDiffuse>()->base.roughness == 0.5F);
+  CHECK(evaluated(clay, down, down) == Rgb{0});
+  CHECK(evaluated(material_of(R"({"texture_name": "grey", "roughness": 1, "twosided": true})"), down, down).r > 0);
+  const auto plastic = material_of(R"({"type": "plastic", "texture_name": "grey", "eta": 1.4})");
+  REQUIRE(plastic.get_if<glint::ScenePlastic>() != nullptr);
+  CHECK(plastic.get_if<glint::ScenePlastic>()->base.eta == 1.4F);
+  CHECK(*material_of(R"({"type": "thinglass", "R": [1, 0, 0]})").get_if<glint::ThinDielectric>() ==
+        glint::ThinDielectric{{1, 0, 0}, 1, 1.5F});
+  const auto silver = material_of(R"({"type": "conductor", "metal": "silver", "texture_name": "grey"})");
+  REQUIRE(silver.get_if<glint::SceneConductor>() != nullptr);
+  CHECK(silver.get_if<glint::SceneConductor>()->base.eta == glint::metals::silver.eta);
+  CHECK(silver.get_if<glint::SceneConductor>()->texture.evaluate(glint::Vec2<float>{0, 0}) == Rgb{0.5F});
 }
 
 TEST_CASE("scene materials: legacy colors are accepted with a warning", "[io][scene]") {
@@ -94,7 +129,9 @@ TEST_CASE("scene materials: legacy colors are accepted with a warning", "[io][sc
   const auto conductor = material_of(R"({"type": "roughconductor", "R": [0, 1, 0]})",
                                      {"scene.json:/materials/m/R: legacy spelling, better: a constant texture named in "
                                       "\"texture_name\""});
-  CHECK(conductor.get_if<glint::SceneRoughConductor>()->texture.evaluate(glint::Vec2<float>{0, 0}) == Rgb{0, 1, 0});
+  REQUIRE(conductor.get_if<glint::SceneRoughConductor<glint::Beckmann>>() != nullptr);
+  CHECK(conductor.get_if<glint::SceneRoughConductor<glint::Beckmann>>()->texture.evaluate(glint::Vec2<float>{0, 0}) ==
+        Rgb{0, 1, 0});
   const auto both = material_of(R"({"color": [1, 0, 0], "texture_name": "grey"})",
                                 {"scene.json:/materials/m/color: has no effect beside \"texture_name\""});
   CHECK(evaluated(both, up, up).g == Approx(0.5 / 3.14159265));
@@ -105,14 +142,25 @@ TEST_CASE("scene materials: a wrong material is an error that tells what was fou
   CHECK(material_error(R"({"texture_name": "gray"})") ==
         "/x/texture_name: there is no texture named \"gray\"; did you mean \"grey\"?");
   CHECK(material_error(R"({"type": "glas"})") ==
-        "/x/type: found \"glas\", expected one of \"diffuse\", \"refraction\", \"glass\", \"mirror\", "
-        "\"roughconductor\"; did you mean \"glass\"?");
+        "/x/type: found \"glas\", expected one of \"diffuse\", \"plastic\", \"refraction\", \"glass\", "
+        "\"thinglass\", \"roughglass\", \"mirror\", \"conductor\", \"roughconductor\"; did you mean \"glass\"?");
   CHECK(material_error(R"({"type": "refraction", "eta": 0})") == "/x/eta: found 0, expected a number above 0");
   CHECK(material_error(R"({"texture_name": "grey", "twosided": 1})") == "/x/twosided: found 1, expected true or false");
   CHECK(material_error(R"({"type": "roughconductor", "texture_name": "grey", "alpha_y": -1})") ==
         "/x/alpha_y: found -1, expected a number above 0");
   CHECK(material_error(R"({"type": "roughconductor", "texture_name": "grey", "etaI": [0, 1, 1]})") ==
         "/x/etaI: found [0,1,1], expected numbers above 0");
+  CHECK(material_error(R"({"texture_name": "grey", "roughness": 2})") ==
+        "/x/roughness: found 2, expected a number from 0 to 1");
+  CHECK(material_error(R"({"type": "plastic", "texture_name": "grey", "eta": 1})") ==
+        "/x/eta: found 1, expected a number from 1.03 to 3");
+  CHECK(material_error(R"({"type": "conductor", "metal": "gild"})") ==
+        "/x/metal: found \"gild\", expected one of \"aluminum\", \"chromium\", \"copper\", \"gold\", \"iron\", "
+        "\"silver\", \"titanium\", \"tungsten\"; did you mean \"gold\"?");
+  CHECK(material_error(R"({"type": "conductor", "metal": "gold", "k": [1, 1, 1]})") ==
+        "/x: a metal is given either by \"metal\" or by \"etaI\", \"etaT\" and \"k\"");
+  CHECK(material_error(R"({"type": "roughglass", "distribution": "gauss"})") ==
+        "/x/distribution: found \"gauss\", expected one of \"beckmann\", \"ggx\"");
   CHECK(material_error(R"({"type": "glass", "R": 1})") == "/x/R: found 1, expected an array of 3 numbers");
 }
 

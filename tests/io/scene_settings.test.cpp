@@ -124,7 +124,8 @@ TEST_CASE("scene settings: photon is rendered by path, and says so", "[io][scene
                                                          "this integrator is not available"});
 }
 
-TEST_CASE("scene settings: paths may begin at the camera, at lights, or at both", "[io][scene]") {
+TEST_CASE("scene settings: paths may begin at the camera, at lights, or at both, or not be there at all",
+          "[io][scene]") {
   const auto read = [](const char* text) { return read_any_integrator(JsonText(text).object("/x")).integrator; };
   const auto both = read(R"({"type": "bdpt", "max_depth": 5, "rr_threshold": 0.2, "profile": "MIS"})");
   REQUIRE(both.get_if<glint::Bdpt>() != nullptr);
@@ -133,6 +134,10 @@ TEST_CASE("scene settings: paths may begin at the camera, at lights, or at both"
   const auto lights = read(R"({"type": "light_tracer", "max_depth": 3})");
   REQUIRE(lights.get_if<glint::LightTracer>() != nullptr);
   CHECK(lights.get_if<glint::LightTracer>()->max_depth == 3);
+  const auto sky = read(R"({"type": "ambient_occlusion", "distance": 2})");
+  REQUIRE(sky.get_if<glint::AmbientOcclusion>() != nullptr);
+  CHECK(sky.get_if<glint::AmbientOcclusion>()->distance == 2);
+  CHECK(read(R"({"type": "normals"})").get_if<glint::Normals>() != nullptr);
   const auto walk = read(R"({"type": "random_walk"})");
   REQUIRE(walk.get_if<Path>() != nullptr);
   CHECK(walk.get_if<Path>()->strategy == glint::LightStrategy::RandomWalk);
@@ -142,7 +147,7 @@ TEST_CASE("scene settings: a wrong integrator is an error that tells what was fo
   const auto error = [](const char* text) { return json_error(text, read_any_integrator); };
   CHECK(error(R"({"type": "pth"})") ==
         "/x/type: found \"pth\", expected one of \"intersection_test\", \"path\", \"random_walk\", \"light_tracer\", "
-        "\"bdpt\", \"photon\"; did you mean \"path\"?");
+        "\"bdpt\", \"ambient_occlusion\", \"normals\", \"photon\"; did you mean \"path\"?");
   CHECK(error(R"({"type": 3})") == "/x/type: found 3, expected a string");
   CHECK(error(R"({"spp": -4})") == "/x/spp: found -4, expected an integer from 1 to 16777216");
   CHECK(error(R"({"spp": 0})") == "/x/spp: found 0, expected an integer from 1 to 16777216");

@@ -9,12 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include <glint/bsdf/coated_diffuse.hpp>
+#include <glint/bsdf/compensated.hpp>
+#include <glint/bsdf/conductor.hpp>
 #include <glint/bsdf/dielectric.hpp>
 #include <glint/bsdf/lambertian.hpp>
 #include <glint/bsdf/microfacet.hpp>
 #include <glint/bsdf/mirror.hpp>
+#include <glint/bsdf/oren_nayar.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
+#include <glint/bsdf/rough_dielectric.hpp>
+#include <glint/bsdf/thin_dielectric.hpp>
 #include <glint/bvh/build/median.hpp>
 #include <glint/bvh/build/morton.hpp>
 #include <glint/bvh/build/quality.hpp>
@@ -51,9 +57,19 @@ namespace glint {
 /// What the materials, textures and lights of a scene file can be.
 using SceneTexture = OneOf<ConstantTexture, Checkerboard, ImageTexture>;
 using SceneDiffuse = Textured<Lambertian, SceneTexture>;
-using SceneRoughConductor = Textured<RoughConductor<Beckmann>, SceneTexture>;
+using SceneRoughDiffuse = Textured<OrenNayar, SceneTexture>;
+using ScenePlastic = Textured<CoatedDiffuse, SceneTexture>;
+using SceneConductor = Textured<Conductor, SceneTexture>;
+template <MicrofacetDistribution D>
+using SceneRoughConductor = Textured<RoughConductor<D>, SceneTexture>;
+template <MicrofacetDistribution D>
+using SceneCompensatedConductor = Textured<Compensated<RoughConductor<D>>, SceneTexture>;
+/// The most common ones first: which it is, is asked in this order.
 using SceneMaterial =
-    OneOf<SceneDiffuse, TwoSidedMaterial<SceneDiffuse>, PerfectRefraction, Dielectric, Mirror, SceneRoughConductor>;
+    OneOf<SceneDiffuse, TwoSidedMaterial<SceneDiffuse>, PerfectRefraction, Dielectric, Mirror,
+          SceneRoughConductor<Beckmann>, SceneRoughConductor<Ggx>, SceneCompensatedConductor<Beckmann>,
+          SceneCompensatedConductor<Ggx>, SceneConductor, ScenePlastic, SceneRoughDiffuse,
+          TwoSidedMaterial<SceneRoughDiffuse>, ThinDielectric, RoughDielectric<Beckmann>, RoughDielectric<Ggx>>;
 using SceneLight = OneOf<PointLight, SpotLight, DirectionalLight, AreaLight<TriangleSampler>, AreaLight<Sphere<float>>,
                          AreaLight<Disk<float>>, AreaLight<Quad<float>>, EnvironmentLight<SceneTexture>>;
 

@@ -14,9 +14,11 @@
 #include <glint/camera/thin_lens.hpp>
 #include <glint/core/one_of.hpp>
 #include <glint/film/filter.hpp>
+#include <glint/integrator/ambient_occlusion.hpp>
 #include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/intersection_test.hpp>
 #include <glint/integrator/light_tracer.hpp>
+#include <glint/integrator/normals.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/io/image_limits.hpp>
 #include <glint/io/json_object.hpp>
@@ -33,7 +35,7 @@ namespace glint {
 
 using SceneCamera = OneOf<Perspective, ThinLens, Orthographic, Panoramic>;
 using SceneFilter = OneOf<BoxFilter, TentFilter, GaussianFilter, MitchellFilter>;
-using SceneIntegrator = OneOf<IntersectionTest, Path, LightTracer, Bdpt>;
+using SceneIntegrator = OneOf<IntersectionTest, Path, LightTracer, Bdpt, AmbientOcclusion, Normals>;
 using SceneSequence = OneOf<Independent, Stratified, Halton, Sobol, ZSobol>;
 
 struct FilmSettings {
@@ -129,14 +131,25 @@ inline void require_type(JsonObject& object, std::string_view name) {
   return result;
 }
 
-enum class IntegratorKind : std::uint8_t { IntersectionTest, Path, RandomWalk, LightTracer, Bdpt, Photon };
+enum class IntegratorKind : std::uint8_t {
+  IntersectionTest,
+  Path,
+  RandomWalk,
+  LightTracer,
+  Bdpt,
+  AmbientOcclusion,
+  Normals,
+  Photon
+};
 
-inline constexpr std::array<std::pair<std::string_view, IntegratorKind>, 6> integrator_kinds{
+inline constexpr std::array<std::pair<std::string_view, IntegratorKind>, 8> integrator_kinds{
     {{"intersection_test", IntegratorKind::IntersectionTest},
      {"path", IntegratorKind::Path},
      {"random_walk", IntegratorKind::RandomWalk},
      {"light_tracer", IntegratorKind::LightTracer},
      {"bdpt", IntegratorKind::Bdpt},
+     {"ambient_occlusion", IntegratorKind::AmbientOcclusion},
+     {"normals", IntegratorKind::Normals},
      {"photon", IntegratorKind::Photon}}};
 inline constexpr std::array<std::pair<std::string_view, LightStrategy>, 6> light_strategies{
     {{"MIS", LightStrategy::Mis},
@@ -147,6 +160,38 @@ inline constexpr std::array<std::pair<std::string_view, LightStrategy>, 6> light
      {"RandomWalk", LightStrategy::RandomWalk}}};
 inline constexpr std::array<std::pair<std::string_view, Falloff>, 3> falloffs{
     {{"inverse_square", Falloff::InverseSquare}, {"none", Falloff::None}, {"square", Falloff::Square}}};
+
+/// What an integrator's keys say, whichever it is.
+struct IntegratorOptions {
+  int max_depth;
+  float roulette;
+  float distance;
+  LightStrategy strategy;
+  Falloff falloff;
+};
+
+[[nodiscard]] inline SceneIntegrator make_integrator(IntegratorKind kind, const IntegratorOptions& options) {
+  switch (kind) {
+    case IntegratorKind::IntersectionTest:
+      return IntersectionTest{.max_depth = options.max_depth, .falloff = options.falloff};
+    case IntegratorKind::LightTracer:
+      return LightTracer{.max_depth = options.max_depth, .roulette_below = options.roulette};
+    case IntegratorKind::Bdpt:
+      return Bdpt{.max_depth = options.max_depth, .roulette_below = options.roulette};
+    case IntegratorKind::AmbientOcclusion:
+      return AmbientOcclusion{.distance = options.distance};
+    case IntegratorKind::Normals:
+      return Normals{};
+    case IntegratorKind::Path:
+    case IntegratorKind::RandomWalk:
+    case IntegratorKind::Photon:
+      break;
+  }
+  const bool walk = kind == IntegratorKind::RandomWalk;
+  return Path{.max_depth = options.max_depth,
+              .roulette_below = options.roulette,
+              .strategy = walk ? LightStrategy::RandomWalk : options.strategy};
+}
 
 }  // namespace detail
 
@@ -160,31 +205,15 @@ inline constexpr std::array<std::pair<std::string_view, Falloff>, 3> falloffs{
   }
   IntegratorSettings result;
   result.samples = object.integer_or("spp", direct ? 8 : 32, 1, 1 << 24);
-  const int max_depth = object.integer_or("max_depth", direct ? 16 : 12, 1);
-  const float roulette = object.not_negative_or("rr_threshold", 0.1F);
-  const auto strategy = detail::choice_or(object, "profile", LightStrategy::Mis, detail::light_strategies);
-  const auto falloff = detail::choice_or(object, "falloff", Falloff::InverseSquare, detail::falloffs);
+  result.integrator = detail::make_integrator(
+      kind, {.max_depth = object.integer_or("max_depth", direct ? 16 : 12, 1),
+             .roulette = object.not_negative_or("rr_threshold", 0.1F),
+             .distance = object.positive_or("distance", infinity<float>),
+             .strategy = detail::choice_or(object, "profile", LightStrategy::Mis, detail::light_strategies),
+             .falloff = detail::choice_or(object, "falloff", Falloff::InverseSquare, detail::falloffs)});
   result.point_lights = detail::read_own_point_lights(object, direct && !scene_has_lights);
   object.ignore({"n_photons", "n_iterations", "n_near_photons"});
   object.finish();
-  switch (kind) {
-    case IntegratorKind::IntersectionTest:
-      result.integrator = IntersectionTest{.max_depth = max_depth, .falloff = falloff};
-      break;
-    case IntegratorKind::LightTracer:
-      result.integrator = LightTracer{.max_depth = max_depth, .roulette_below = roulette};
-      break;
-    case IntegratorKind::Bdpt:
-      result.integrator = Bdpt{.max_depth = max_depth, .roulette_below = roulette};
-      break;
-    case IntegratorKind::RandomWalk:
-      result.integrator =
-          Path{.max_depth = max_depth, .roulette_below = roulette, .strategy = LightStrategy::RandomWalk};
-      break;
-    case IntegratorKind::Path:
-    case IntegratorKind::Photon:
-      result.integrator = Path{.max_depth = max_depth, .roulette_below = roulette, .strategy = strategy};
-  }
   return result;
 }
 

@@ -216,8 +216,8 @@ class SpatialSplitter {
   SpatialSplitter(const SpatialSah& options, const S& set, References<T>& references, const Part<T>& root)
       : options_(options), set_(set), min_overlap_(T(options.min_overlap) * root.box.half_area()) {
     const std::size_t count = references.size();
-    const double most = std::min(double(std::numeric_limits<typename S::Index>::max() / 2),  // nodes are twice as many
-                                 double(count) * double(options.memory_budget));
+    constexpr auto last = std::numeric_limits<typename S::Index>::max() / 2;  // nodes are twice as many
+    const double most = std::min(double(last), double(count) * double(options.memory_budget));
     references.resize(std::size_t(std::max(double(count), most)));
     references_ = references;
     scratch_.resize(references.size());
