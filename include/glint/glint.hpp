@@ -49,6 +49,7 @@
 #include <glint/bvh/pass/depth_first.hpp>
 #include <glint/bvh/pass/merge_leaves.hpp>
 #include <glint/bvh/pass/refit.hpp>
+#include <glint/bvh/pass/refit_layout.hpp>
 #include <glint/bvh/pass/reinsert.hpp>
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/pass/validate.hpp>

@@ -66,3 +66,15 @@ TEMPLATE_TEST_CASE("aabb: a box holds its parts, itself, and the empty one", "[g
   CHECK(contains(box, Aabb<TestType>{}));
   CHECK_FALSE(contains(box, Aabb<TestType>{{0, 1, 0}, {1, 2.5, 2}}));
 }
+
+TEMPLATE_TEST_CASE("aabb: a bounded box is neither empty nor infinite", "[geometry][aabb]", float, double) {
+  constexpr TestType inf = std::numeric_limits<TestType>::infinity();
+  constexpr TestType nan = std::numeric_limits<TestType>::quiet_NaN();
+  CHECK(is_bounded(Aabb<TestType>{{0, 1, 2}, {3, 4, 5}}));
+  CHECK(is_bounded(Aabb<TestType>{{0, 0, 0}, {0, 0, 0}}));
+  CHECK_FALSE(is_bounded(Aabb<TestType>{}));
+  CHECK_FALSE(is_bounded(Aabb<TestType>{{0, 0, 0}, {1, inf, 1}}));
+  CHECK_FALSE(is_bounded(Aabb<TestType>{{-inf, 0, 0}, {1, 1, 1}}));
+  CHECK_FALSE(is_bounded(Aabb<TestType>{{0, 0, nan}, {1, 1, 1}}));
+  CHECK_FALSE(is_bounded(Aabb<TestType>{{0, 2, 0}, {1, 1, 1}}));
+}

@@ -29,7 +29,7 @@ class BruteForce {
   explicit BruteForce(S set) : set_(std::move(set)) {
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const Aabb<Scalar> box = set_.bounds(Index(i));
-      if (is_finite(box.lower) && is_finite(box.upper) && !is_empty(box)) extend(bounds_, box);
+      if (is_bounded(box)) extend(bounds_, box);
     }
   }
 
@@ -56,8 +56,7 @@ class BruteForce {
 
  private:
   [[nodiscard]] std::optional<Hit<Scalar, Index>> intersect(const Ray<Scalar>& ray, Index i) const {
-    const Aabb<Scalar> box = set_.bounds(i);
-    if (!is_finite(box.lower) || !is_finite(box.upper) || is_empty(box)) return std::nullopt;
+    if (!is_bounded(set_.bounds(i))) return std::nullopt;
     return set_.intersect(ray, i);
   }
 

@@ -13,6 +13,8 @@
 #include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>
 #include <glint/bvh/leaves.hpp>
+#include <glint/bvh/pass/refit.hpp>
+#include <glint/bvh/pass/refit_layout.hpp>
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/query/ray.hpp>
 #include <glint/bvh/ray_batch.hpp>
@@ -120,7 +122,47 @@ class Bvh {
     return set_.surface(ray, hit);
   }
 
+  /// Follows primitives that moved: boxes anew, and what leaves copy of the primitives; the tree stays as it is.
+  ///
+  /// Requires: as many primitives, in the same order; those that the builder left out are not looked at again. Nobody
+  ///           casts rays meanwhile.
+  /// Ensures:  `growth` is the cost now over the cost when built, of what rays meet here: half of the area of all
+  ///           nodes, leaves times their slots, over that of the root. It is 1 where a root has no area.
+  /// Errors:   as refit of a tree.
+  /// Cost:     O(nodes + primitives), next to no memory.
+  /// Threads:  subtrees in parallel; the same for every executor.
+  template <Executor E = Serial>
+  Refit refit(const E& executor = {}) requires(RefittableLeaves<Leaves, S>&& RefittableLayout<Nodes>) {
+    if (built_cost_ < 0) built_cost_ = cost(bounds_, layout_area(nodes_));
+    const FittedLayout<Scalar> fitted = refit_layout(nodes_, LeafFit{leaves_, set_}, executor);
+    bounds_ = fitted.bounds;
+    reach_ = RayReach<Scalar>::of(bounds_);
+    const double now = cost(bounds_, fitted.area);
+    return {.growth = now > 0 && built_cost_ > 0 ? now / built_cost_ : 1, .lost = fitted.lost};
+  }
+  /// Likewise, where the set itself is a new one: a view of other buffers, say.
+  template <Executor E = Serial>
+  Refit refit(S set, const E& executor = {}) requires(RefittableLeaves<Leaves, S>&& RefittableLayout<Nodes>) {
+    set_ = std::move(set);
+    return refit(executor);
+  }
+
  private:
+  struct LeafFit {
+    Leaves& leaves;
+    const S& set;
+
+    [[nodiscard]] FittedLeaf<Scalar> operator()(Slots<Index> slots) const { return leaves.refit(set, slots); }
+    void prefetch(Index slot) const noexcept {
+      if constexpr (requires { leaves.prefetch(slot); }) leaves.prefetch(slot);
+    }
+  };
+
+  [[nodiscard]] static double cost(const Aabb<Scalar>& bounds, double area) noexcept {
+    const double root_area = double(half_area(bounds));
+    return root_area > 0 ? area / root_area : 0.0;
+  }
+
   // Visitors are types of their own and not lambdas, which no standard attribute can have inlined.
   template <typename Prepared, typename Query>
   struct ClosestVisit {
@@ -157,6 +199,7 @@ class Bvh {
   RayReach<Scalar> reach_;
   Leaves leaves_;  // before the nodes, for it may renumber slots
   Nodes nodes_;
+  double built_cost_ = -1;  // measured when it is first asked for
 };
 
 template <PrimitiveSet S>

@@ -9,6 +9,7 @@
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
+#include <glint/geometry/aabb.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
@@ -60,6 +61,20 @@ concept LeavesOf = requires(const L& leaves, const S& set, const Ray<typename S:
   { leaves.bytes() } -> std::same_as<std::size_t>;
 };
 
+/// What a leaf holds, after its primitives moved.
+template <std::floating_point T>
+struct FittedLeaf {
+  Aabb<T> bounds{};
+  std::size_t lost = 0;  ///< primitives that have no finite, non-empty box any more
+
+  void add(const Aabb<T>& box) noexcept {
+    if (is_bounded(box))
+      extend(bounds, box);
+    else
+      ++lost;
+  }
+};
+
 /// Leaves that ask the set for each primitive by its index.
 template <PrimitiveSet S>
 class IndexedLeaves {
@@ -97,6 +112,12 @@ class IndexedLeaves {
     for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot)
       if (intersect(set, ray, prepared, order_[slot])) return true;
     return false;
+  }
+  [[nodiscard]] FittedLeaf<Scalar> refit(const S& set, Slots<Index> slots) const {
+    FittedLeaf<Scalar> fitted;
+    for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot)
+      fitted.add(set.bounds(order_[slot]));
+    return fitted;
   }
   [[nodiscard]] std::size_t bytes() const noexcept { return order_.size() * sizeof(Index); }
 

@@ -49,6 +49,12 @@ template <std::floating_point T>
   return !(box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z);
 }
 
+/// Neither empty nor infinite: the boxes that trees take.
+template <std::floating_point T>
+[[nodiscard]] bool is_bounded(const Aabb<T>& box) noexcept {
+  return is_finite(box.lower) && is_finite(box.upper) && !is_empty(box);
+}
+
 template <std::floating_point T>
 [[nodiscard]] constexpr bool contains(const Aabb<T>& box, const Vec3<T>& p) noexcept {
   return box.lower.x <= p.x && p.x <= box.upper.x && box.lower.y <= p.y && p.y <= box.upper.y && box.lower.z <= p.z &&

@@ -143,11 +143,6 @@ void for_each_chunk(std::size_t n, const Executor& executor, const Body& body) {
   return (n + block_size - 1) / block_size;
 }
 
-template <std::floating_point T>
-[[nodiscard]] bool is_bounded(const Aabb<T>& box) noexcept {
-  return is_finite(box.lower) && is_finite(box.upper) && !is_empty(box);
-}
-
 /// References to those primitives of a set that have finite, non-empty boxes, in the order of the set.
 ///
 /// Requires: set.size() fits the index type, and 32 bits where the scalar is `float`.

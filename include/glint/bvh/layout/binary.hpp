@@ -4,9 +4,11 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glint/bvh/concepts.hpp>
+#include <glint/bvh/layout/collapse.hpp>
 #include <glint/bvh/leaves.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
@@ -41,6 +43,12 @@ class BinaryNodes {
   [[nodiscard]] GLINT_ALWAYS_INLINE std::array<Link<I>, 2> links(I node) const noexcept {
     const I first = nodes_[node].first;
     return {link(first), link(first + 1)};
+  }
+  [[nodiscard]] static std::size_t child_count(I /*node*/) noexcept { return 2; }
+  /// New boxes for the children of a node, and for itself.
+  void refit(I node, const Aabb<T>& bounds, std::span<const WideChild<T, I>> children) noexcept {
+    for (std::size_t i = 0; i != children.size(); ++i) nodes_[nodes_[node].first + i].bounds = children[i].bounds;
+    nodes_[node].bounds = bounds;
   }
   [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.size() * sizeof(nodes_[0]); }
 

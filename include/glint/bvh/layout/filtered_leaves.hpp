@@ -70,6 +70,11 @@ class FilteredLeaves {
     return all_.occluded(set.set(), ray, prepared, runs.all) &&
            single_.occluded(set, ray, single_.prepare(set, ray), runs.single);
   }
+  [[nodiscard]] FittedLeaf<Scalar> refit(const Set& set, Slots<Index> slots) requires(requires(AllLeaves& all) {
+    all.refit(set.set(), slots);
+  }) {
+    return all_.refit(set.set(), runs_[slots.first].all);
+  }
   [[nodiscard]] std::size_t bytes() const noexcept {
     return single_.bytes() + runs_.size() * sizeof(Runs) + all_.bytes();
   }

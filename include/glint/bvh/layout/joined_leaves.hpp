@@ -56,6 +56,14 @@ class JoinedLeaves {
     }
     (Every{});
   }
+  [[nodiscard]] FittedLeaf<Scalar> refit(const Set& set, Slots<Index> slots) {
+    FittedLeaf<Scalar> fitted;
+    [&]<std::size_t... K>(std::index_sequence<K...>) {
+      (refit_of<K>(set, slots.first, fitted), ...);
+    }
+    (Every{});
+    return fitted;
+  }
   [[nodiscard]] std::size_t bytes() const noexcept {
     return std::apply([](const auto&... l) { return (std::size_t{0} + ... + l.bytes()); }, leaves_) +
            runs_.size() * sizeof(Runs);
@@ -147,6 +155,12 @@ class JoinedLeaves {
             .primitive = begins_[K] + Index(local.primitive),
             .instance = local.instance == none<Local> ? none<Index> : Index(local.instance)};
     return true;
+  }
+  template <std::size_t K>
+  void refit_of(const Set& set, Index slot, FittedLeaf<Scalar>& fitted) {
+    const FittedLeaf<Scalar> own = std::get<K>(leaves_).refit(set.template set<K>(), std::get<K>(runs_[slot]));
+    extend(fitted.bounds, own.bounds);
+    fitted.lost += own.lost;
   }
   template <std::size_t K, typename Prepared>
   [[nodiscard]] GLINT_ALWAYS_INLINE bool occluded_of(const Set& set, const Ray<Scalar>& ray, const Prepared& prepared,

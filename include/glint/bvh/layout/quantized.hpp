@@ -166,6 +166,22 @@ class QuantizedNodes {
   [[nodiscard]] Link<I> root() const noexcept { return root_; }
   [[nodiscard]] GLINT_ALWAYS_INLINE Boxes children(I node) const noexcept { return Boxes(nodes_[node]); }
   [[nodiscard]] GLINT_ALWAYS_INLINE Links links(I node) const noexcept { return {nodes_[node].links, far_links_}; }
+  [[nodiscard]] std::size_t child_count(I node) const noexcept {
+    const auto& marks = nodes_[node].marks;
+    std::size_t count = std::size_t(N);
+    while (count > 0 && marks[0][count - 1] > marks[3][count - 1]) --count;
+    return count;
+  }
+  /// New boxes for the children of a node. One in which nothing is left becomes a point.
+  void refit(I node, const Aabb<T>& bounds, std::span<const WideChild<T, I>> children) noexcept {
+    const Aabb<T> around = is_empty(bounds) ? Aabb<T>{Vec3<T>(T(0)), Vec3<T>(T(0))} : bounds;
+    std::array<WideChild<T, I>, std::size_t(N)> whole;
+    for (std::size_t i = 0; i != children.size(); ++i) {
+      whole[i] = children[i];
+      if (is_empty(whole[i].bounds)) whole[i].bounds = {around.lower, around.lower};
+    }
+    write(nodes_[node], around, std::span<const WideChild<T, I>>(whole.data(), children.size()));
+  }
   [[nodiscard]] std::size_t bytes() const noexcept {
     return nodes_.size() * sizeof(Node) + far_links_.size() * sizeof(Link<I>);
   }

@@ -47,6 +47,13 @@ template <std::floating_point T, int N, typename Vertex>
   return boxes;
 }
 
+template <std::floating_point T>
+[[nodiscard]] Aabb<T> box_of(const std::array<Vec3<T>, 3>& vertices) noexcept {
+  Aabb<T> box;
+  for (const Vec3<T>& v : vertices) extend(box, v);
+  return box;
+}
+
 /// N triangles, and what their test needs of them. A triangle without area stays out, as do lanes to spare: NaNs are
 /// never hit.
 template <std::floating_point T, std::unsigned_integral V, typename Intersector, int N>
@@ -60,22 +67,13 @@ class alignas(8 * sizeof(T)) CopiedBlock {
   CopiedBlock() = default;
   /// Requires: 1 to N primitives.
   CopiedBlock(const Mesh& mesh, std::span<const Index> primitives) noexcept {
-    std::array<std::array<std::array<T, std::size_t(N)>, 3>, 3> lanes;  // [vertex][axis][lane]
-    for (auto& vertex : lanes)
-      for (auto& axis : vertex) axis.fill(std::numeric_limits<T>::quiet_NaN());
     primitive_.fill(none<Index>);
-    for (std::size_t lane = 0; lane < primitives.size(); ++lane) {
-      const std::array<Vec3<T>, 3> v = mesh.vertices(primitives[lane]);
-      if (is_degenerate(v[0], v[1], v[2])) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        lanes[i][0][lane] = v[i].x;
-        lanes[i][1][lane] = v[i].y;
-        lanes[i][2][lane] = v[i].z;
-      }
-      primitive_[lane] = primitives[lane];
-    }
-    triangles_ = Test::triangles(
-        [&](int i, int axis) { return Pack<T, N>::load(lanes[std::size_t(i)][std::size_t(axis)].data()); });
+    std::copy(primitives.begin(), primitives.end(), primitive_.begin());
+    copy(mesh, [](const auto& /*vertices*/) {});
+  }
+  /// Copies the vertices anew.
+  void refit(const Mesh& mesh, FittedLeaf<T>& fitted) noexcept {
+    copy(mesh, [&](const std::array<Vec3<T>, 3>& v) { fitted.add(box_of(v)); });
   }
 
   [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& /*mesh*/, const typename Test::Prepared& ray,
@@ -100,12 +98,31 @@ class alignas(8 * sizeof(T)) CopiedBlock {
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
 
  private:
+  template <typename Visit>
+  void copy(const Mesh& mesh, const Visit& visit) noexcept {
+    std::array<std::array<std::array<T, std::size_t(N)>, 3>, 3> lanes;  // [vertex][axis][lane]
+    for (auto& vertex : lanes)
+      for (auto& axis : vertex) axis.fill(std::numeric_limits<T>::quiet_NaN());
+    for (std::size_t lane = 0; lane < std::size_t(N) && primitive_[lane] != none<Index>; ++lane) {
+      const std::array<Vec3<T>, 3> v = mesh.vertices(primitive_[lane]);
+      visit(v);
+      if (is_degenerate(v[0], v[1], v[2])) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        lanes[i][0][lane] = v[i].x;
+        lanes[i][1][lane] = v[i].y;
+        lanes[i][2][lane] = v[i].z;
+      }
+    }
+    triangles_ = Test::triangles(
+        [&](int i, int axis) { return Pack<T, N>::load(lanes[std::size_t(i)][std::size_t(axis)].data()); });
+  }
+
   typename Test::Triangles triangles_;
   std::array<Index, std::size_t(N)> primitive_;
 };
 
 /// The indices of N triangles and of their vertices, which are gathered for each test. A lane to spare repeats another;
-/// a triangle without area stays out, and where no other is left, it is put down as a point.
+/// a triangle without area is put down as a point.
 template <std::floating_point T, std::unsigned_integral V, typename Intersector, int N>
 class IndexedBlock {
  public:
@@ -117,20 +134,13 @@ class IndexedBlock {
   IndexedBlock() = default;
   /// Requires: 1 to N primitives.
   IndexedBlock(const Mesh& mesh, std::span<const Index> primitives) noexcept {
-    const V point = mesh.triangles[primitives[0]][0];
-    for (auto& vertex : vertex_) vertex.fill(point);
-    primitive_.fill(primitives[0]);
-    std::size_t used = 0;
-    for (const Index primitive : primitives) {
-      const std::array<Vec3<T>, 3> v = mesh.vertices(primitive);
-      if (is_degenerate(v[0], v[1], v[2])) continue;
-      const std::array<V, 3> vertices = mesh.triangles[primitive];
-      for (std::size_t lane = used; lane < (used == 0 ? std::size_t(N) : used + 1); ++lane) {
-        for (std::size_t i = 0; i < 3; ++i) vertex_[i][lane] = vertices[i];
-        primitive_[lane] = primitive;
-      }
-      ++used;
-    }
+    for (std::size_t lane = 0; lane < std::size_t(N); ++lane)
+      primitive_[lane] = primitives[std::min(lane, primitives.size() - 1)];
+    look_up(mesh, [](const auto& /*vertices*/) {});
+  }
+  /// Looks up anew which triangles have an area.
+  void refit(const Mesh& mesh, FittedLeaf<T>& fitted) noexcept {
+    look_up(mesh, [&](const std::array<Vec3<T>, 3>& v) { fitted.add(box_of(v)); });
   }
 
   [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& mesh, const typename Test::Prepared& ray,
@@ -145,7 +155,8 @@ class IndexedBlock {
   /// One triangle, many rays.
   [[nodiscard]] GLINT_ALWAYS_INLINE auto cross(const Mesh& mesh, int lane,
                                                const typename RaysTest::Prepared& rays) const noexcept {
-    const std::array<Vec3<T>, 3> v = mesh.vertices(primitive(lane));
+    const auto at = [&](std::size_t i) { return mesh.positions[vertex_[i][std::size_t(lane)]]; };
+    const std::array<Vec3<T>, 3> v{at(0), at(1), at(2)};
     const auto vertex = [&](int i, int axis) {
       return RayPacket<T>::Lanes::broadcast(component(v[std::size_t(i)], axis));
     };
@@ -154,6 +165,16 @@ class IndexedBlock {
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
 
  private:
+  template <typename Visit>
+  void look_up(const Mesh& mesh, const Visit& visit) noexcept {
+    for (std::size_t lane = 0; lane < std::size_t(N); ++lane) {
+      const std::array<Vec3<T>, 3> v = mesh.vertices(primitive_[lane]);
+      const std::array<V, 3> vertices = mesh.triangles[primitive_[lane]];
+      const bool is_point = is_degenerate(v[0], v[1], v[2]);
+      for (std::size_t i = 0; i < 3; ++i) vertex_[i][lane] = vertices[is_point ? 0 : i];
+      if (lane == 0 || primitive_[lane] != primitive_[lane - 1]) visit(v);
+    }
+  }
   template <typename Use>
   [[nodiscard]] GLINT_ALWAYS_INLINE auto with_vertices(const Mesh& mesh, const Use& use) const noexcept {
     std::array<std::array<const std::byte*, std::size_t(N)>, 3> from;
@@ -243,6 +264,13 @@ class TriangleBlocks {
       if (closest_of(c.tied, mesh, ray, prepared, blocks_[i], any)) return true;
     }
     return false;
+  }
+
+  /// Takes up where the triangles are now. Different slots may be at once.
+  [[nodiscard]] FittedLeaf<T> refit(const Mesh& mesh, Slots<Index> slots) noexcept {
+    FittedLeaf<T> fitted;
+    for (std::size_t i = slots.first; i != std::size_t(slots.first) + slots.count; ++i) blocks_[i].refit(mesh, fitted);
+    return fitted;
   }
 
   /// Has the block fetched that will be tested soon.

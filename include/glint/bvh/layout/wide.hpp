@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include <glint/bvh/concepts.hpp>
@@ -18,6 +19,7 @@
 #include <glint/core/uninitialized.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/math/constants.hpp>
+#include <glint/math/vec.hpp>
 #include <glint/simd/pack.hpp>
 
 namespace glint {
@@ -25,6 +27,8 @@ namespace glint {
 /// Nodes of up to N children, whose boxes are stored plane by plane and tested at once.
 template <std::floating_point T, std::unsigned_integral I, int N>
 class WideNodes {
+  using Children = std::span<const WideChild<T, I>>;
+
  public:
   using Scalar = T;
   using Index = I;
@@ -48,26 +52,39 @@ class WideNodes {
   [[nodiscard]] GLINT_ALWAYS_INLINE const std::array<Link<I>, std::size_t(N)>& links(I node) const noexcept {
     return nodes_[node].links;
   }
+  [[nodiscard]] std::size_t child_count(I node) const noexcept {
+    const Pack<T, N>& lower = nodes_[node].boxes.planes[0];
+    std::size_t count = std::size_t(N);
+    while (count > 0 && lower[int(count) - 1] == infinity<T>) --count;
+    return count;
+  }
+  /// New boxes for the children of a node.
+  void refit(I node, const Aabb<T>& /*bounds*/, Children children) noexcept { write_boxes(nodes_[node], children); }
   /// Has a node fetched that will be visited soon.
   GLINT_ALWAYS_INLINE void prefetch(I node) const noexcept { glint::prefetch(nodes_[node]); }
   [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.size() * sizeof(Node); }
 
  private:
-  using Children = std::span<const WideChild<T, I>>;
   struct alignas(std::min<std::size_t>(64, std::bit_floor(sizeof(BoxPack<T, N>)))) Node {
     BoxPack<T, N> boxes;
     std::array<Link<I>, std::size_t(N)> links;
   };
 
   static void write(Node& node, Children children) noexcept {
+    write_boxes(node, children);
+    node.links.fill({0, 1});
+    for (std::size_t i = 0; i != children.size(); ++i) node.links[i] = children[i].link;
+  }
+  /// A child that is there has no lower corner at infinity, even if nothing is left in it.
+  static void write_boxes(Node& node, Children children) noexcept {
     std::array<std::array<T, std::size_t(N)>, 6> planes;
     for (std::size_t plane = 0; plane < 6; ++plane) planes[plane].fill(plane < 3 ? infinity<T> : -infinity<T>);
-    node.links.fill({0, 1});
     for (std::size_t i = 0; i != children.size(); ++i) {
-      const auto& [lower, upper] = children[i].bounds;
+      const Aabb<T>& bounds = children[i].bounds;
+      const Vec3<T>& upper = bounds.upper;
+      const Vec3<T> lower = is_empty(bounds) ? Vec3<T>(std::numeric_limits<T>::max()) : bounds.lower;
       const std::array<T, 6> box{lower.x, lower.y, lower.z, upper.x, upper.y, upper.z};
       for (std::size_t plane = 0; plane < 6; ++plane) planes[plane][i] = box[plane];
-      node.links[i] = children[i].link;
     }
     for (std::size_t plane = 0; plane < 6; ++plane) node.boxes.planes[plane] = Pack<T, N>::load(planes[plane].data());
   }

@@ -3,7 +3,7 @@
 #include <concepts>
 #include <cstddef>
 
-#include <glint/bvh/build/reference.hpp>
+#include <glint/bvh/leaves.hpp>
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/executor.hpp>
@@ -27,17 +27,14 @@ class Refitter {
  public:
   using T = typename S::Scalar;
   using I = typename S::Index;
-  struct Fitted {
-    Aabb<T> box;
-    std::size_t lost = 0;
-  };
+  using Fitted = FittedLeaf<T>;
 
   Refitter(Tree<T, I>& tree, const S& set, const Executor& executor) : tree_(tree), set_(set), executor_(executor) {}
 
   Fitted fit(std::size_t at, int depth) const {
     BinaryNode<T, I>& node = tree_.nodes[at];
     const Fitted fitted = node.is_leaf() ? of_leaf(node) : of_children(node.first, depth + 1);
-    node.bounds = fitted.box;
+    node.bounds = fitted.bounds;
     return fitted;
   }
 
@@ -48,13 +45,8 @@ class Refitter {
 
   [[nodiscard]] Fitted of_leaf(const BinaryNode<T, I>& node) const {
     Fitted fitted;
-    for (std::size_t slot = node.first; slot != std::size_t(node.first) + node.count; ++slot) {
-      const Aabb<T> box = set_.bounds(tree_.order[slot]);
-      if (is_bounded(box))
-        extend(fitted.box, box);
-      else
-        ++fitted.lost;
-    }
+    for (std::size_t slot = node.first; slot != std::size_t(node.first) + node.count; ++slot)
+      fitted.add(set_.bounds(tree_.order[slot]));
     return fitted;
   }
   [[nodiscard]] Fitted of_children(std::size_t first, int depth) const {
@@ -68,7 +60,7 @@ class Refitter {
       fit_left();
       fit_right();
     }
-    return {join(left.box, right.box), left.lost + right.lost};
+    return {join(left.bounds, right.bounds), left.lost + right.lost};
   }
 
   Tree<T, I>& tree_;
@@ -84,8 +76,7 @@ class Refitter {
 ///
 /// Requires: a valid tree over as many primitives; those that the builder left out are not looked at again.
 /// Errors:   a primitive whose box is empty, infinite or NaN takes no room in the boxes and keeps its slot. `lost`
-/// counts
-///           them; where it is not zero, rays may or may not find what these primitives say of themselves, and
+///           counts them; where it is not zero, rays may or may not find what these primitives say of themselves, and
 ///           violations() complains: build anew.
 /// Cost:     O(nodes + primitives).
 /// Threads:  subtrees in parallel; the same boxes for every executor.

@@ -130,10 +130,6 @@ class PrimitiveCheck {
   }
 
  private:
-  [[nodiscard]] static bool is_bounded(const Aabb<T>& box) noexcept {
-    return is_finite(box.lower) && is_finite(box.upper) && !is_empty(box);
-  }
-
   void check(I i, std::vector<Aabb<T>>& leaves, const std::string& name) {
     const Aabb<T> box = set_.bounds(i);
     if (leaves.size() == 1) {
