@@ -189,9 +189,13 @@
 #include <glint/scene/interaction.hpp>
 #include <glint/scene/scene.hpp>
 #include <glint/simd/pack.hpp>
+#include <glint/texture/any_texture.hpp>
 #include <glint/texture/checkerboard.hpp>
 #include <glint/texture/concepts.hpp>
 #include <glint/texture/constant.hpp>
 #include <glint/texture/image_texture.hpp>
 #include <glint/texture/mapping.hpp>
+#include <glint/texture/mix.hpp>
+#include <glint/texture/noise.hpp>
+#include <glint/texture/triplanar.hpp>
 #include <glint/version.hpp>

@@ -82,8 +82,9 @@ TEST_CASE("scene textures: row 0 of an image is at v = 0, and 8-bit images are s
 
 TEST_CASE("scene textures: a wrong texture is an error that tells what was found and expected", "[io][scene]") {
   CHECK(texture_error("{}") == "/x: the key \"type\" is missing");
-  CHECK(texture_error(R"({"type": "noise"})") ==
-        "/x/type: found \"noise\", expected one of \"constant\", \"checkerboard\", \"image\"");
+  CHECK(texture_error(R"({"type": "marble"})") ==
+        "/x/type: found \"marble\", expected one of \"constant\", \"checkerboard\", \"image\", \"noise\", \"mix\", "
+        "\"triplanar\"");
   CHECK(texture_error(R"({"type": "constant"})") == "/x: the key \"color\" is missing");
   CHECK(texture_error(R"({"type": "constant", "color": [1, 1]})") ==
         "/x/color: found an array of 2, expected an array of 3 numbers");
@@ -104,4 +105,106 @@ TEST_CASE("scene textures: all are known by their names", "[io][scene]") {
   glint::detail::read_textures(json.object(), draft);
   CHECK(draft.textures.size() == 2);
   CHECK(draft.textures.at("b").evaluate(glint::Vec2<float>{0, 0}) == Rgb{1});
+}
+
+TEST_CASE("scene textures: an image has a filter, wraps, a scale and an offset", "[io][scene]") {
+  const TemporaryDirectory directory;
+  glint::Image pixels({2, 1});
+  pixels(1, 0) = 1;  // black, white
+  glint::write_exr(pixels, directory / "image.exr");
+  const auto image = [&](const std::string& keys) {
+    const auto texture = texture_of(R"({"type": "image", "path": "image.exr")" + keys + "}", directory.path());
+    return [=](float u, float v) { return texture.evaluate(glint::Vec2<float>{u, v}).r; };
+  };
+  CHECK(image("")(0.5F, 0.5F) == 0.5F);  // bilinear, halfway between the two pixels
+  CHECK(image(R"(, "filter": "bilinear")")(0.5F, 0.5F) == 0.5F);
+  CHECK(image(R"(, "filter": "nearest")")(0.5F, 0.5F) == 1);
+  CHECK(image("")(1.25F, 0.5F) == 0);                       // the black one again
+  CHECK(image(R"(, "wrap": "clamp")")(1.25F, 0.5F) == 1);   // the last one
+  CHECK(image(R"(, "wrap": "mirror")")(1.25F, 0.5F) == 1);  // its mirror image
+  CHECK(image(R"(, "wrap": "border")")(1.3F, 0.5F) == 0);   // black
+  CHECK(image(R"(, "wrap": "border")")(0.75F, 0.5F) == 1);  // but white inside
+  CHECK(image(R"(, "wrap": ["clamp", "border"])")(9, 0.5F) == 1);
+  CHECK(image(R"(, "wrap": ["clamp", "border"])")(9, 2) == 0);
+  CHECK(image(R"(, "scale": [0.5, 1], "offset": [0.25, 0])")(1, 0.5F) ==
+        1);  // 0.5 · 1 + 0.25 is the white one's center
+}
+
+TEST_CASE("scene textures: noise is the library's", "[io][scene]") {
+  const glint::Surface at{.position = {0.3F, 1.7F, -2.2F}};
+  CHECK(color_at(texture_of(R"({"type": "noise"})"), at) == glint::NoiseTexture{}.evaluate(at));
+  const auto marble = texture_of(R"({"type": "noise", "pattern": "turbulence", "color0": [1, 0, 0],
+      "color1": [0, 1, 0], "scale": [2, 3, 4], "offset": [5, 6, 7], "octaves": 2, "gain": 0.7, "lacunarity": 3,
+      "seed": 9})");
+  const glint::NoiseTexture expected{.color0 = {1, 0, 0},
+                                     .color1 = {0, 1, 0},
+                                     .scale = {2, 3, 4},
+                                     .offset = {5, 6, 7},
+                                     .octaves = {.count = 2, .gain = 0.7F, .lacunarity = 3, .seed = 9},
+                                     .pattern = glint::NoisePattern::Turbulence};
+  CHECK(color_at(marble, at) == expected.evaluate(at));
+}
+
+TEST_CASE("scene textures: mixtures and projections name other textures, in any order", "[io][scene]") {
+  JsonText json(R"({"a": {"type": "mix", "texture0": "m", "texture1": "white", "share": "quarter"},
+                    "m": {"type": "mix", "texture0": "black", "texture1": "white"},
+                    "p": {"type": "triplanar", "texture_name": "board", "scale": 2},
+                    "black": {"type": "constant", "color": [0, 0, 0]},
+                    "board": {"type": "checkerboard", "color0": [1, 1, 1], "color1": [0, 0, 0]},
+                    "quarter": {"type": "constant", "color": [0.25, 0.25, 0.25]},
+                    "white": {"type": "constant", "color": [1, 1, 1]}})");
+  SceneDraft draft;
+  glint::detail::read_textures(json.object(), draft);
+  CHECK(draft.textures.size() == 7);
+  CHECK(draft.other_textures.empty());
+  CHECK(color_at(draft.textures.at("m"), {}) == Rgb{0.5F});
+  CHECK(color_at(draft.textures.at("a"), {}).r == Approx(0.625));  // 0.5 + 0.25 (1 − 0.5)
+  // Seen along z at (x, y) = 2 (0.3, 0.1): squares 1 and 0, of which one is odd.
+  const glint::Surface wall{.position = {0.3F, 0.1F, 5}, .normal = {0, 0, 1}};
+  CHECK(color_at(draft.textures.at("p"), wall) == Rgb{0});
+  CHECK(json.source.warnings.empty());
+}
+
+TEST_CASE("scene textures: wrong keys of the newer textures are errors", "[io][scene]") {
+  CHECK(texture_error(R"({"type": "checkerboard", "scale": [1, 1], "tex_coordinate_generator": {}})") ==
+        "/x/tex_coordinate_generator: stands beside \"scale\" or \"offset\", which say the same");
+  CHECK(texture_error(R"({"type": "noise", "octaves": 0})") == "/x/octaves: found 0, expected an integer from 1 to 32");
+  CHECK(texture_error(R"({"type": "noise", "gain": -1})") == "/x/gain: found -1, expected a number from 0 up");
+  CHECK(texture_error(R"({"type": "noise", "lacunarity": 0})") == "/x/lacunarity: found 0, expected a number above 0");
+  CHECK(texture_error(R"({"type": "noise", "pattern": "wood"})") ==
+        "/x/pattern: found \"wood\", expected one of \"fbm\", \"turbulence\"");
+  CHECK(texture_error(R"({"type": "mix", "texture1": "a"})") == "/x: the key \"texture0\" is missing");
+  CHECK(texture_error(R"({"type": "triplanar"})") == "/x: the key \"texture_name\" is missing");
+  const auto textures_error = [](const char* text) {
+    return json_error(text, [](JsonObject object) {
+      SceneDraft draft;
+      glint::detail::read_textures(std::move(object), draft);
+      return 0;
+    });
+  };
+  CHECK(textures_error(R"({"a": {"type": "mix", "texture0": "b", "texture1": "b"},
+                           "b": {"type": "triplanar", "texture_name": "a"}})") ==
+        "/x/b/texture_name: the texture \"a\" is made of itself");
+  CHECK(textures_error(R"({"gray": {"type": "constant", "color": [1, 1, 1]},
+                           "a": {"type": "triplanar", "texture_name": "grey"}})") ==
+        "/x/a/texture_name: there is no texture named \"grey\"; did you mean \"gray\"?");
+  CHECK(textures_error(R"({"a": {"type": "mix", "texture0": "c", "texture1": "c", "share": 2},
+                           "c": {"type": "checkerboard"}})") ==
+        "/x/a/share: found 2, expected a number from 0 to 1, or the name of a texture");
+}
+
+TEST_CASE("scene textures: a wrong filter or wrap is an error", "[io][scene]") {
+  const TemporaryDirectory directory;
+  glint::write_exr(glint::Image({1, 1}), directory / "i.exr");
+  const auto error = [&](const std::string& keys) {
+    return json_error((R"({"type": "image", "path": ")" + (directory / "i.exr").string() + "\"" + keys + "}").c_str(),
+                      [](JsonObject object) {
+                        SceneDraft draft;
+                        return glint::detail::read_texture(std::move(object), draft);
+                      });
+  };
+  CHECK(error(R"(, "wrap": "tile")") ==
+        "/x/wrap: found \"tile\", expected one of \"repeat\", \"clamp\", \"mirror\", \"border\"");
+  CHECK(error(R"(, "wrap": ["clamp"])") == "/x/wrap: found an array of 1, expected a name, or an array of 2");
+  CHECK(error(R"(, "filter": "cubic")").starts_with("/x/filter: found \"cubic\", expected one of \"nearest\""));
 }

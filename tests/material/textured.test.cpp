@@ -11,6 +11,14 @@
 
 using glint::Rgb;
 
+namespace {
+
+struct Height {
+  static Rgb evaluate(const glint::Surface& at) { return at.position.y; }
+};
+
+}  // namespace
+
 TEST_CASE("textured: the reflectance is the texture's at the surface's coordinates", "[material][textured]") {
   const glint::Textured<glint::Lambertian, glint::Checkerboard> material{{.color0 = Rgb{1}, .color1 = Rgb{0}}};
   STATIC_REQUIRE(glint::Material<decltype(material)>);
@@ -23,4 +31,12 @@ TEST_CASE("textured: everything but the reflectance stays", "[material][textured
   const glint::Textured<Rough, glint::ConstantTexture> material{{Rgb{0.5F}}, Rough{.eta = Rgb{7}}};
   CHECK(material.bsdf({}).eta == Rgb{7});
   CHECK(material.bsdf({}).reflectance == Rgb{0.5F});
+}
+
+TEST_CASE("textured: a texture of surfaces gets the surface, alone or among others", "[material][textured]") {
+  const glint::Surface at{.position = {0, 0.25F, 0}};
+  CHECK(glint::Textured<glint::Lambertian, Height>{}.bsdf(at).reflectance == Rgb{0.25F});
+  using Either = glint::OneOf<glint::ConstantTexture, Height>;
+  CHECK(glint::Textured<glint::Lambertian, Either>{Height{}}.bsdf(at).reflectance == Rgb{0.25F});
+  CHECK(glint::Textured<glint::Lambertian, Either>{glint::ConstantTexture{1}}.bsdf(at).reflectance == Rgb{1});
 }

@@ -23,6 +23,7 @@ namespace glint::detail {
 struct SceneDraft {
   SceneFile scene{};
   std::map<std::string, SceneTexture> textures{};
+  std::map<std::string, std::optional<JsonValue>> other_textures{};  ///< not read yet; no value: being read
   std::map<std::string, std::uint32_t> materials{};
   std::optional<std::uint32_t> black{};  ///< the material of lamps that have none, once there is one
 

@@ -48,6 +48,7 @@
 #include <glint/material/textured.hpp>
 #include <glint/material/two_sided.hpp>
 #include <glint/scene/scene.hpp>
+#include <glint/texture/any_texture.hpp>
 #include <glint/texture/checkerboard.hpp>
 #include <glint/texture/constant.hpp>
 #include <glint/texture/image_texture.hpp>
@@ -55,7 +56,7 @@
 namespace glint {
 
 /// What the materials, textures and lights of a scene file can be.
-using SceneTexture = OneOf<ConstantTexture, Checkerboard, ImageTexture>;
+using SceneTexture = OneOf<ConstantTexture, Checkerboard, ImageTexture, AnyTexture>;
 using SceneDiffuse = Textured<Lambertian, SceneTexture>;
 using SceneRoughDiffuse = Textured<OrenNayar, SceneTexture>;
 using ScenePlastic = Textured<CoatedDiffuse, SceneTexture>;

@@ -14,15 +14,16 @@ concept ReflectingBsdf = Bsdf<B> && requires(B& bsdf, const Rgb& color) {
   bsdf.reflectance = color;
 };
 
-/// A BSDF whose `reflectance` comes from a texture, by the surface's texture coordinates.
-template <ReflectingBsdf B, Texture T>
+/// A BSDF whose `reflectance` comes from a texture: by the surface where the texture asks for it, else by its
+/// coordinates.
+template <ReflectingBsdf B, ShadingTexture T>
 struct Textured {
   T texture;
   B base{};  ///< everything but the reflectance
 
   [[nodiscard]] B bsdf(const Surface& at) const {
     B result = base;
-    result.reflectance = texture.evaluate(at.uv);
+    result.reflectance = color_at(texture, at);
     return result;
   }
 

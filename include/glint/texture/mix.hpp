@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+
+#include <glint/texture/concepts.hpp>
+
+namespace glint {
+
+/// Two textures, mixed as a third says: its luminance, held to [0, 1], is the share of the second.
+///
+/// Asks for the surface where one of the three does.
+template <ShadingTexture A, ShadingTexture B, ShadingTexture S>
+struct Mix {
+  A first{};
+  B second{};
+  S share{};
+
+  [[nodiscard]] Rgb evaluate(const Vec2<float>& uv) const requires(Texture<A>&& Texture<B>&& Texture<S>) {
+    return mixed(first.evaluate(uv), second.evaluate(uv), share.evaluate(uv));
+  }
+
+  [[nodiscard]] Rgb evaluate(const Surface& at) const
+      requires(SurfaceTexture<A> || SurfaceTexture<B> || SurfaceTexture<S>) {
+    return mixed(color_at(first, at), color_at(second, at), color_at(share, at));
+  }
+
+  [[nodiscard]] friend bool operator==(const Mix&, const Mix&) = default;
+
+ private:
+  [[nodiscard]] static Rgb mixed(const Rgb& a, const Rgb& b, const Rgb& share) noexcept {
+    return a + Rgb(std::min(std::max(0.0F, luminance(share)), 1.0F)) * (b - a);
+  }
+};
+
+template <ShadingTexture A, ShadingTexture B, ShadingTexture S>
+Mix(A, B, S) -> Mix<A, B, S>;
+
+}  // namespace glint
