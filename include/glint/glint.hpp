@@ -53,8 +53,10 @@
 #include <glint/bvh/pass/reinsert.hpp>
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/pass/validate.hpp>
+#include <glint/bvh/query/hits.hpp>
 #include <glint/bvh/query/packet.hpp>
 #include <glint/bvh/query/ray.hpp>
+#include <glint/bvh/query/triangle_block.hpp>
 #include <glint/bvh/ray_batch.hpp>
 #include <glint/bvh/traverse.hpp>
 #include <glint/bvh/tree.hpp>

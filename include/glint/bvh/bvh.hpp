@@ -78,6 +78,13 @@ class Bvh {
   [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.bytes() + leaves_.bytes(); }
   [[nodiscard]] Aabb<Scalar> bounds() const noexcept { return bounds_; }
 
+  /// What queries walk through (bvh/query/), the user's own too.
+  [[nodiscard]] const Nodes& nodes() const noexcept { return nodes_; }
+  [[nodiscard]] const Leaves& leaves() const noexcept { return leaves_; }
+  [[nodiscard]] const RayReach<Scalar>& reach() const noexcept { return reach_; }
+  /// Whether some primitive is in several leaves, as builders leave it that cut primitives.
+  [[nodiscard]] bool has_parts() const noexcept { return statistics_.references > statistics_.primitives; }
+
   [[nodiscard]] std::optional<Hit<Scalar, Index>> closest(const Ray<Scalar>& ray) const {
     RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray, reach_);
     const auto prepared = leaves_.prepare(set_, ray);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <utility>
@@ -13,6 +14,7 @@
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
+#include <glint/math/constants.hpp>
 #include <glint/simd/pack.hpp>
 
 namespace glint {
@@ -52,6 +54,13 @@ struct Unprepared {};
 ///     std::size_t block_size      // primitives tested at the price of one, which is what builders want to know
 ///
 /// For `closest` the ray ends at best.t, which begins as the ray's t_max, with no primitive.
+///
+/// For queries other than rays' first hits (query/), leaves also offer
+///
+///     Walk for_each_primitive(Slots<I>, f)                             // f(I) -> Walk
+///     Walk for_each_hit(const S&, const Ray<T>&, prepared, Slots<I>, sink)
+///
+/// where sink(const Hit<T, I>&) -> Walk sees all hits with t ≤ sink.limit(), which may shrink meanwhile.
 template <typename L, typename S>
 concept LeavesOf = requires(const L& leaves, const S& set, const Ray<typename S::Scalar>& ray,
                             Slots<typename S::Index> slots, Hit<typename S::Scalar, typename S::Index>& best) {
@@ -112,6 +121,27 @@ class IndexedLeaves {
     for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot)
       if (intersect(set, ray, prepared, order_[slot])) return true;
     return false;
+  }
+  template <typename F>
+  GLINT_ALWAYS_INLINE Walk for_each_primitive(Slots<Index> slots, const F& f) const {
+    for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot)
+      if (f(order_[slot]) == Walk::Stop) return Walk::Stop;
+    return Walk::Continue;
+  }
+  /// Behind a hit, the same primitive is asked again.
+  template <typename Prepared, typename Sink>
+  GLINT_ALWAYS_INLINE Walk for_each_hit(const S& set, const Ray<Scalar>& ray, const Prepared& prepared,
+                                        Slots<Index> slots, Sink& sink) const {
+    return for_each_primitive(slots, [&](Index i) {
+      Ray<Scalar> rest = ray;
+      for (rest.t_max = sink.limit(); rest.t_min <= rest.t_max; rest.t_max = sink.limit()) {
+        const auto hit = intersect(set, rest, prepared, i);
+        if (!hit) break;
+        if (sink(*hit) == Walk::Stop) return Walk::Stop;
+        rest.t_min = std::nextafter(hit->t, infinity<Scalar>);
+      }
+      return Walk::Continue;
+    });
   }
   [[nodiscard]] FittedLeaf<Scalar> refit(const S& set, Slots<Index> slots) const {
     FittedLeaf<Scalar> fitted;

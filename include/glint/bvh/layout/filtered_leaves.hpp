@@ -70,6 +70,16 @@ class FilteredLeaves {
     return all_.occluded(set.set(), ray, prepared, runs.all) &&
            single_.occluded(set, ray, single_.prepare(set, ray), runs.single);
   }
+  template <typename F>
+  GLINT_ALWAYS_INLINE Walk for_each_primitive(Slots<Index> slots, const F& f) const {
+    return single_.for_each_primitive(runs_[slots.first].single, f);
+  }
+  template <typename Prepared, typename Sink>
+  GLINT_ALWAYS_INLINE Walk for_each_hit(const Set& set, const Ray<Scalar>& ray, const Prepared& prepared,
+                                        Slots<Index> slots, Sink& sink) const {
+    AcceptedHits<Sink> accepted{set, ray, sink};
+    return all_.for_each_hit(set.set(), ray, prepared, runs_[slots.first].all, accepted);
+  }
   [[nodiscard]] FittedLeaf<Scalar> refit(const Set& set, Slots<Index> slots) requires(requires(AllLeaves& all) {
     all.refit(set.set(), slots);
   }) {
@@ -80,6 +90,16 @@ class FilteredLeaves {
   }
 
  private:
+  template <typename Sink>
+  struct AcceptedHits {
+    const Set& set;
+    const Ray<Scalar>& ray;
+    Sink& sink;
+
+    [[nodiscard]] Scalar limit() const { return sink.limit(); }
+    Walk operator()(const Hit<Scalar, Index>& hit) { return set.accepts(ray, hit) ? sink(hit) : Walk::Continue; }
+  };
+
   [[nodiscard]] static std::vector<Runs> runs_of(const TreeOfSet& tree) {
     std::vector<Runs> runs;
     for (const BinaryNode<Scalar, Index>& node : tree.nodes)

@@ -56,6 +56,20 @@ class JoinedLeaves {
     }
     (Every{});
   }
+  template <typename F>
+  GLINT_ALWAYS_INLINE Walk for_each_primitive(Slots<Index> slots, const F& f) const {
+    return for_each_run(slots, [&]<std::size_t K>(At<K>, const auto& leaves, auto run) {
+      return leaves.for_each_primitive(run, [&](auto i) { return f(begins_[K] + Index(i)); });
+    });
+  }
+  template <typename Prepared, typename Sink>
+  GLINT_ALWAYS_INLINE Walk for_each_hit(const Set& set, const Ray<Scalar>& ray, const Prepared& prepared,
+                                        Slots<Index> slots, Sink& sink) const {
+    return for_each_run(slots, [&]<std::size_t K>(At<K>, const auto& leaves, auto run) {
+      JoinedHits<typename SetAt<K>::Index, Sink> joined{begins_[K], sink};
+      return leaves.for_each_hit(set.template set<K>(), ray, std::get<K>(prepared), run, joined);
+    });
+  }
   [[nodiscard]] FittedLeaf<Scalar> refit(const Set& set, Slots<Index> slots) {
     FittedLeaf<Scalar> fitted;
     [&]<std::size_t... K>(std::index_sequence<K...>) {
@@ -83,6 +97,36 @@ class JoinedLeaves {
   static constexpr std::size_t block_size = std::max({LeavesOfSet<Sets>::block_size...});
 
  private:
+  template <std::size_t K>
+  using At = std::integral_constant<std::size_t, K>;
+  template <typename Local, typename Sink>
+  struct JoinedHits {
+    Index begin;
+    Sink& sink;
+
+    [[nodiscard]] Scalar limit() const { return sink.limit(); }
+    Walk operator()(const Hit<Scalar, Local>& hit) { return sink(joined_hit(hit, begin)); }
+  };
+  template <typename Local>
+  [[nodiscard]] static Hit<Scalar, Index> joined_hit(const Hit<Scalar, Local>& local, Index begin) noexcept {
+    return {.t = local.t,
+            .uv = local.uv,
+            .primitive = begin + Index(local.primitive),
+            .instance = local.instance == none<Local> ? none<Index> : Index(local.instance)};
+  }
+  /// Shows what a leaf has of each set to `f(At<K>, leaves, run) -> Walk`.
+  template <typename F>
+  GLINT_ALWAYS_INLINE Walk for_each_run(Slots<Index> slots, const F& f) const {
+    return [&]<std::size_t... K>(std::index_sequence<K...>) {
+      const auto stops = [&]<std::size_t N>(At<N> at) {
+        const auto run = std::get<N>(runs_[slots.first]);
+        return run.count != 0 && f(at, std::get<N>(leaves_), run) == Walk::Stop;
+      };
+      return (stops(At<K>{}) || ...) ? Walk::Stop : Walk::Continue;
+    }
+    (Every{});
+  }
+
   template <Executor E, std::size_t... K>
   JoinedLeaves(const Set& set, Tree<Scalar, Index>& tree, const E& executor, std::index_sequence<K...>)
       : begins_(begins_of(std::array{set.template set<K>().size()...})),
@@ -150,10 +194,7 @@ class JoinedLeaves {
     else if (best.primitive - begins_[K] < own.size())
       local.primitive = Local(best.primitive - begins_[K]);
     if (!std::get<K>(leaves_).closest(own, ray, std::get<K>(prepared), run, local)) return false;
-    best = {.t = local.t,
-            .uv = local.uv,
-            .primitive = begins_[K] + Index(local.primitive),
-            .instance = local.instance == none<Local> ? none<Index> : Index(local.instance)};
+    best = joined_hit(local, begins_[K]);
     return true;
   }
   template <std::size_t K>

@@ -16,6 +16,7 @@
 #include <glint/bvh/leaves.hpp>
 #include <glint/bvh/packet_leaves.hpp>
 #include <glint/bvh/query/packet.hpp>
+#include <glint/bvh/query/triangle_block.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
@@ -34,25 +35,6 @@
 
 namespace glint {
 namespace detail {
-
-/// The boxes of triangles given as for PackedTest.
-template <std::floating_point T, int N, typename Vertex>
-[[nodiscard]] GLINT_ALWAYS_INLINE BoxPack<T, N> boxes_of(const Vertex& vertex) noexcept {
-  BoxPack<T, N> boxes;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto at = std::size_t(axis);
-    boxes.planes[at] = min(min(vertex(0, axis), vertex(1, axis)), vertex(2, axis));
-    boxes.planes[at + 3] = max(max(vertex(0, axis), vertex(1, axis)), vertex(2, axis));
-  }
-  return boxes;
-}
-
-template <std::floating_point T>
-[[nodiscard]] Aabb<T> box_of(const std::array<Vec3<T>, 3>& vertices) noexcept {
-  Aabb<T> box;
-  for (const Vec3<T>& v : vertices) extend(box, v);
-  return box;
-}
 
 /// N triangles, and what their test needs of them. A triangle without area stays out, as do lanes to spare: NaNs are
 /// never hit.
@@ -96,6 +78,8 @@ class alignas(8 * sizeof(T)) CopiedBlock {
     return RaysTest::cross_one(triangles_, lane, rays, infinity<T>);
   }
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
+  /// Whether a lane is not to spare.
+  [[nodiscard]] bool holds(int lane) const noexcept { return primitive(lane) != none<Index>; }
 
  private:
   template <typename Visit>
@@ -163,6 +147,8 @@ class IndexedBlock {
     return RaysTest::cross_at(vertex, rays, infinity<T>);
   }
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
+  /// Whether a lane is not to spare.
+  [[nodiscard]] bool holds(int lane) const noexcept { return lane == 0 || primitive(lane) != primitive(lane - 1); }
 
  private:
   template <typename Visit>
@@ -266,6 +252,16 @@ class TriangleBlocks {
     return false;
   }
 
+  template <typename F>
+  GLINT_ALWAYS_INLINE Walk for_each_primitive(Slots<Index> slots, const F& f) const {
+    return for_each_in_blocks(blocks(slots), f);
+  }
+  template <typename Sink>
+  GLINT_ALWAYS_INLINE Walk for_each_hit(const Mesh& mesh, const Ray<T>& ray, const Prepared& prepared,
+                                        Slots<Index> slots, Sink& sink) const {
+    return for_each_hit_in_blocks(blocks(slots), mesh, ray, prepared, sink);
+  }
+
   /// Takes up where the triangles are now. Different slots may be at once.
   [[nodiscard]] FittedLeaf<T> refit(const Mesh& mesh, Slots<Index> slots) noexcept {
     FittedLeaf<T> fitted;
@@ -311,6 +307,9 @@ class TriangleBlocks {
   [[nodiscard]] std::size_t bytes() const noexcept { return blocks_.size() * sizeof(Block); }
 
  private:
+  [[nodiscard]] std::span<const Block> blocks(Slots<Index> slots) const noexcept {
+    return {blocks_.data() + slots.first, slots.count};
+  }
   [[nodiscard]] static constexpr std::size_t blocks_for(std::size_t count) noexcept {
     return (count + std::size_t(N) - 1) / std::size_t(N);
   }
