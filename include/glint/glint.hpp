@@ -17,6 +17,7 @@
 #include <glint/bsdf/oren_nayar.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
 #include <glint/bsdf/perturbed.hpp>
+#include <glint/bsdf/rough_coated_diffuse.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/bsdf/rough_dielectric.hpp>
 #include <glint/bsdf/thin_dielectric.hpp>
