@@ -55,6 +55,7 @@
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/pass/validate.hpp>
 #include <glint/bvh/query/hits.hpp>
+#include <glint/bvh/query/nearest.hpp>
 #include <glint/bvh/query/packet.hpp>
 #include <glint/bvh/query/ray.hpp>
 #include <glint/bvh/query/triangle_block.hpp>

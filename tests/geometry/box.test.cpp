@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <support/catch.hpp>
+#include <support/closest_points.hpp>
 
 #include <glint/geometry/concepts.hpp>
 #include <glint/math/random.hpp>
@@ -153,4 +154,10 @@ TEMPLATE_TEST_CASE("box: obeys the laws of Primitive", "[geometry][box][laws]", 
   CHECK(glint::testing::violations_of_primitive_laws(glint::Box<T>{}, seed) == std::vector<std::string>{});
   const glint::Box<T> off_center{{T(-3.3), 7, 20}, {T(-3.1), 9, 21}};
   CHECK(glint::testing::violations_of_primitive_laws(off_center, seed) == std::vector<std::string>{});
+}
+
+TEMPLATE_TEST_CASE("box: no point of it is closer than its closest point", "[geometry][box]", float, double) {
+  using T = TestType;
+  const glint::Box<T> shape{.lower = {-1, T(-1.5), 0}, .upper = {1, T(0.5), 1}};
+  CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <support/catch.hpp>
+#include <support/closest_points.hpp>
 
 #include <glint/geometry/concepts.hpp>
 #include <glint/math/random.hpp>
@@ -159,4 +160,10 @@ TEMPLATE_TEST_CASE("disk: obeys the laws of Primitive", "[geometry][disk][laws]"
   CHECK(glint::testing::violations_of_primitive_laws(glint::Disk<T>{}, seed) == std::vector<std::string>{});
   const glint::Disk<T> slanted{.center = {3, -2, 1}, .normal = {1, 2, T(-0.5)}, .radius = T(0.4)};
   CHECK(glint::testing::violations_of_primitive_laws(slanted, seed) == std::vector<std::string>{});
+}
+
+TEMPLATE_TEST_CASE("disk: no point of it is closer than its closest point", "[geometry][disk]", float, double) {
+  using T = TestType;
+  const glint::Disk<T> shape{.center = {T(0.5), 0, 0}, .normal = {1, 2, -2}, .radius = 1};
+  CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <support/catch.hpp>
+#include <support/closest_points.hpp>
 
 #include <glint/geometry/concepts.hpp>
 #include <glint/math/random.hpp>
@@ -110,4 +111,10 @@ TEMPLATE_TEST_CASE("quad: obeys the laws of Primitive", "[geometry][quad][laws]"
   CHECK(glint::testing::violations_of_primitive_laws(slanted, seed) == std::vector<std::string>{});
   const glint::Quad<T> tiny{.origin = {0, 0, 0}, .edge_u = {T(2e-6), 0, 0}, .edge_v = {0, 0, T(1e-6)}};
   CHECK(glint::testing::violations_of_primitive_laws(tiny, seed) == std::vector<std::string>{});
+}
+
+TEMPLATE_TEST_CASE("quad: no point of it is closer than its closest point", "[geometry][quad]", float, double) {
+  using T = TestType;
+  const glint::Quad<T> shape{.origin = {-1, -1, T(0.5)}, .edge_u = {2, T(0.5), 0}, .edge_v = {T(1.5), 1, T(-0.5)}};
+  CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <support/catch.hpp>
+#include <support/closest_points.hpp>
 
 #include <glint/geometry/concepts.hpp>
 #include <glint/math/random.hpp>
@@ -223,4 +224,11 @@ TEMPLATE_TEST_CASE("sphere: obeys the laws of Primitive", "[geometry][sphere][la
   CHECK(glint::testing::violations_of_primitive_laws(small, seed) == std::vector<std::string>{});
   const glint::Sphere<T> large{.center = {T(1e6), 0, 0}, .radius = T(2e6)};
   CHECK(glint::testing::violations_of_primitive_laws(large, seed) == std::vector<std::string>{});
+}
+
+TEMPLATE_TEST_CASE("sphere: no point of it is closer than its closest point", "[geometry][sphere]", float, double) {
+  using T = TestType;
+  const glint::Sphere<T> shape{.center = {T(0.5), 0, T(-0.25)}, .radius = 1};
+  CHECK(glint::testing::violations_of_closest_points(shape).empty());
+  CHECK(closest_point(shape.center, shape) == shape.center + glint::Vec3<T>(1, 0, 0));
 }

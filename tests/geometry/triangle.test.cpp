@@ -10,6 +10,7 @@
 #include <glint/geometry/concepts.hpp>
 
 #include <support/catch.hpp>
+#include <support/closest_points.hpp>
 
 namespace {
 
@@ -128,4 +129,12 @@ TEMPLATE_TEST_CASE("triangle: without area or with a NaN it is never hit", "[geo
   Triangle<T> broken = example<T>();
   broken.v2.x = std::numeric_limits<T>::quiet_NaN();
   CHECK_FALSE(intersect(ray, broken));
+}
+
+TEMPLATE_TEST_CASE("triangle: no point of it is closer than its closest point", "[geometry][triangle]", float, double) {
+  using T = TestType;
+  const glint::Triangle<T> shape{{-1, 0, T(0.5)}, {T(1.5), T(0.25), 0}, {0, 2, -1}};
+  CHECK(glint::testing::violations_of_closest_points(shape).empty());
+  const glint::Triangle<T> segment{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};  // no area: what its edges are
+  CHECK(closest_point(glint::Vec3<T>(2, 5, 0), segment) == glint::Vec3<T>(2, 0, 0));
 }

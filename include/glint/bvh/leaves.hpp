@@ -15,6 +15,7 @@
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/math/constants.hpp>
+#include <glint/math/vec.hpp>
 #include <glint/simd/pack.hpp>
 
 namespace glint {
@@ -59,8 +60,10 @@ struct Unprepared {};
 ///
 ///     Walk for_each_primitive(Slots<I>, f)                             // f(I) -> Walk
 ///     Walk for_each_hit(const S&, const Ray<T>&, prepared, Slots<I>, sink)
+///     void for_each_near(const S&, const Vec3<T>& point, Slots<I>, sink)
 ///
-/// where sink(const Hit<T, I>&) -> Walk sees all hits with t ≤ sink.limit(), which may shrink meanwhile.
+/// where sink(const Hit<T, I>&) -> Walk sees all hits with t ≤ sink.limit(), or sink(I) at least the primitives whose
+/// squared distance from the point is no larger. The limit may shrink meanwhile.
 template <typename L, typename S>
 concept LeavesOf = requires(const L& leaves, const S& set, const Ray<typename S::Scalar>& ray,
                             Slots<typename S::Index> slots, Hit<typename S::Scalar, typename S::Index>& best) {
@@ -142,6 +145,11 @@ class IndexedLeaves {
       }
       return Walk::Continue;
     });
+  }
+  template <typename Sink>
+  GLINT_ALWAYS_INLINE void for_each_near(const S& /*set*/, const Vec3<Scalar>& /*point*/, Slots<Index> slots,
+                                         Sink& sink) const {
+    for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot) sink(order_[slot]);
   }
   [[nodiscard]] FittedLeaf<Scalar> refit(const S& set, Slots<Index> slots) const {
     FittedLeaf<Scalar> fitted;

@@ -154,4 +154,18 @@ template <std::floating_point T>
   return {detail::box_surface(box, 2 * axis + (is_upper ? 1 : 0), box.lower + e * along), T(1) / area(box)};
 }
 
+/// The point of the box's surface closest to `point`, from outside or from inside.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> closest_point(const Vec3<T>& point, const Box<T>& box) noexcept {
+  Vec3<T> closest = glm::clamp(point, box.lower, box.upper);
+  if (closest != point) return closest;
+  const Vec3<T> to_lower = point - box.lower;
+  const Vec3<T> to_upper = box.upper - point;
+  const Vec3<T> away = glm::min(to_lower, to_upper);
+  const int axis = away.x <= away.y && away.x <= away.z ? 0 : away.y <= away.z ? 1 : 2;
+  const bool is_lower = component(to_lower, axis) <= component(to_upper, axis);
+  closest[axis] = component(is_lower ? box.lower : box.upper, axis);
+  return closest;
+}
+
 }  // namespace glint

@@ -67,6 +67,12 @@ concept ClippablePrimitive = Primitive<P> && requires(const P& primitive, const 
   { clip(primitive, cell) } -> std::same_as<Aabb<ScalarOf<P>>>;
 };
 
+/// A primitive that knows its point closest to another: `Vec3<T> closest_point(const Vec3<T>& point, const P&)`.
+template <typename P>
+concept ClosestPointPrimitive = Primitive<P> && requires(const P& primitive, const Vec3<ScalarOf<P>>& point) {
+  { closest_point(point, primitive) } -> std::same_as<Vec3<ScalarOf<P>>>;
+};
+
 /// Boxes by index: all that a tree builder asks for.
 template <typename S>
 concept BoundedSet = requires(const S& set, typename S::Index i) {
@@ -107,6 +113,13 @@ template <typename S>
 concept ShadableSet = PrimitiveSet<S> &&
     requires(const S& set, const Ray<typename S::Scalar>& ray, const Hit<typename S::Scalar, typename S::Index>& hit) {
   { set.surface(ray, hit) } -> std::same_as<SurfaceOf<typename S::Scalar>>;
+};
+
+/// A set whose primitives know their point closest to another: `closest_point(point, i)`.
+template <typename S>
+concept ClosestPointSet = PrimitiveSet<S> &&
+    requires(const S& set, typename S::Index i, const Vec3<typename S::Scalar>& point) {
+  { set.closest_point(point, i) } -> std::same_as<Vec3<typename S::Scalar>>;
 };
 
 /// Something that answers ray queries over a whole scene.

@@ -105,4 +105,15 @@ template <std::floating_point T>
   return {detail::disk_surface(disk, frame, local, off_disk, {fraction, u.y}), T(1) / area(disk)};
 }
 
+/// The point of the disk closest to `point`.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> closest_point(const Vec3<T>& point, const Disk<T>& disk) noexcept {
+  const Vec3<T> from_center = point - disk.center;
+  const T height = glm::dot(from_center, disk.normal) / length_squared(disk.normal);
+  const Vec3<T> across = from_center - disk.normal * height;
+  const T squared = length_squared(across);
+  if (squared <= disk.radius * disk.radius) return disk.center + across;
+  return disk.center + across * (disk.radius / std::sqrt(squared));
+}
+
 }  // namespace glint

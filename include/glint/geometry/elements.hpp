@@ -26,6 +26,10 @@ template <typename P, typename Box>
   return clip(primitive, cell);
 }
 template <std::floating_point T, typename P>
+[[nodiscard]] Vec3<T> closest_point_of(const Vec3<T>& point, const P& primitive) {
+  return closest_point(point, primitive);
+}
+template <std::floating_point T, typename P>
 [[nodiscard]] auto intersect_with(const Ray<T>& ray, const P& primitive) {
   return intersect(ray, primitive);
 }
@@ -71,6 +75,11 @@ class Elements {
 
   [[nodiscard]] Aabb<Scalar> clip(Index i, const Aabb<Scalar>& cell) const requires(ClippablePrimitive<P>) {
     return detail::clip_of(primitives_[i], cell);
+  }
+
+  [[nodiscard]] Vec3<Scalar> closest_point(const Vec3<Scalar>& point, Index i) const
+      requires(ClosestPointPrimitive<P>) {
+    return detail::closest_point_of(point, primitives_[i]);
   }
 
   [[nodiscard]] std::optional<Hit<Scalar, I>> intersect(const Ray<Scalar>& ray, Index i) const {

@@ -10,6 +10,7 @@
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/surface.hpp>
+#include <glint/geometry/triangle.hpp>
 #include <glint/math/constants.hpp>
 #include <glint/math/vec.hpp>
 
@@ -107,6 +108,16 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] AreaSample<T> sample_area(const Quad<T>& quad, const Vec2<T>& u) noexcept {
   return {detail::quad_surface(quad, u), T(1) / area(quad)};
+}
+
+/// The point of the parallelogram closest to `point`: of its two triangles.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> closest_point(const Vec3<T>& point, const Quad<T>& quad) noexcept {
+  const Vec3<T> u = quad.origin + quad.edge_u;
+  const Vec3<T> v = quad.origin + quad.edge_v;
+  const Vec3<T> first = closest_point(point, Triangle<T>{quad.origin, u, v});
+  const Vec3<T> second = closest_point(point, Triangle<T>{v, u, quad.origin + (quad.edge_u + quad.edge_v)});
+  return length_squared(first - point) <= length_squared(second - point) ? first : second;
 }
 
 }  // namespace glint

@@ -126,4 +126,13 @@ template <std::floating_point T>
   return {detail::sphere_surface(sphere, normal, {std::acos(cos_theta) * inv_pi<T>, u.y}), T(1) / area(sphere)};
 }
 
+/// The point of the sphere closest to `point`; of its center, the one along x.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> closest_point(const Vec3<T>& point, const Sphere<T>& sphere) noexcept {
+  const Vec3<T> outward = point - sphere.center;
+  const T distance = std::sqrt(length_squared(outward));
+  if (!(distance > T(0))) return sphere.center + Vec3<T>(sphere.radius, T(0), T(0));
+  return sphere.center + outward * (sphere.radius / distance);
+}
+
 }  // namespace glint

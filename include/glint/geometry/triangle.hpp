@@ -129,4 +129,47 @@ template <std::floating_point T>
   return {surface_at(triangle, w1, w2), size > T(0) ? T(1) / size : T(0)};
 }
 
+/// The point of the segment from `a` to `b` closest to `point`.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> closest_on_segment(const Vec3<T>& point, const Vec3<T>& a, const Vec3<T>& b) noexcept {
+  const Vec3<T> way = b - a;
+  const T squared = length_squared(way);
+  if (!(squared > T(0))) return a;
+  return a + way * std::clamp(glm::dot(point - a, way) / squared, T(0), T(1));
+}
+
+/// The point of the triangle closest to `point`. In slivers, where weights mean little, what the edges say is no
+/// farther.
+///
+/// Errors: a triangle without area is what its edges are.
+/// Source: Ericson, Real-Time Collision Detection (2005), section 5.1.5, for the weights.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> closest_point(const Vec3<T>& point, const Triangle<T>& triangle) noexcept {
+  const auto& [a, b, c] = triangle;
+  Vec3<T> best = closest_on_segment(point, a, b);
+  T least = length_squared(best - point);
+  const auto consider = [&](const Vec3<T>& candidate) {
+    const T squared = length_squared(candidate - point);
+    if (!(squared < least)) return;
+    best = candidate;
+    least = squared;
+  };
+  consider(closest_on_segment(point, b, c));
+  consider(closest_on_segment(point, c, a));
+  const Vec3<T> ab = b - a;
+  const Vec3<T> ac = c - a;
+  const Vec3<T> ap = point - a;
+  const T b_b = length_squared(ab);
+  const T c_c = length_squared(ac);
+  const T b_c = glm::dot(ab, ac);
+  const T b_p = glm::dot(ab, ap);
+  const T c_p = glm::dot(ac, ap);
+  const T weight_b = c_c * b_p - b_c * c_p;
+  const T weight_c = b_b * c_p - b_c * b_p;
+  const T total = b_b * c_c - b_c * b_c;
+  if (weight_b > T(0) && weight_c > T(0) && weight_b + weight_c < total)
+    consider(a + (ab * (weight_b / total) + ac * (weight_c / total)));
+  return best;
+}
+
 }  // namespace glint

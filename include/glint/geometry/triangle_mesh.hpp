@@ -54,6 +54,10 @@ struct TriangleMesh {
 
   [[nodiscard]] Aabb<T> clip(Index i, const Aabb<T>& cell) const noexcept { return clipped_bounds(vertices(i), cell); }
 
+  [[nodiscard]] Vec3<T> closest_point(const Vec3<T>& point, Index i) const noexcept {
+    return glint::closest_point(point, triangle(i));
+  }
+
   [[nodiscard]] auto prepare(const Ray<T>& ray) const noexcept { return intersector.prepare(ray); }
 
   template <typename Prepared>

@@ -20,6 +20,7 @@
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/set/joined.hpp>
+#include <glint/math/vec.hpp>
 
 namespace glint {
 
@@ -70,6 +71,15 @@ class JoinedLeaves {
       return leaves.for_each_hit(set.template set<K>(), ray, std::get<K>(prepared), run, joined);
     });
   }
+  template <typename Sink>
+  GLINT_ALWAYS_INLINE void for_each_near(const Set& set, const Vec3<Scalar>& point, Slots<Index> slots,
+                                         Sink& sink) const {
+    for_each_run(slots, [&]<std::size_t K>(At<K>, const auto& leaves, auto run) {
+      JoinedNear<Sink> joined{begins_[K], sink};
+      leaves.for_each_near(set.template set<K>(), point, run, joined);
+      return Walk::Continue;
+    });
+  }
   [[nodiscard]] FittedLeaf<Scalar> refit(const Set& set, Slots<Index> slots) {
     FittedLeaf<Scalar> fitted;
     [&]<std::size_t... K>(std::index_sequence<K...>) {
@@ -106,6 +116,17 @@ class JoinedLeaves {
 
     [[nodiscard]] Scalar limit() const { return sink.limit(); }
     Walk operator()(const Hit<Scalar, Local>& hit) { return sink(joined_hit(hit, begin)); }
+  };
+  template <typename Sink>
+  struct JoinedNear {
+    Index begin;
+    Sink& sink;
+
+    [[nodiscard]] Scalar limit() const { return sink.limit(); }
+    template <typename Local>
+    GLINT_ALWAYS_INLINE void operator()(Local i) {
+      sink(begin + Index(i));
+    }
   };
   template <typename Local>
   [[nodiscard]] static Hit<Scalar, Index> joined_hit(const Hit<Scalar, Local>& local, Index begin) noexcept {

@@ -78,6 +78,13 @@ class alignas(8 * sizeof(T)) CopiedBlock {
     return RaysTest::cross_one(triangles_, lane, rays, infinity<T>);
   }
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
+  template <typename Use>
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto with_vertices(const Mesh& mesh, const Use& use) const noexcept {
+    if constexpr (requires { triangles_.vertex; })
+      return use([&](int i, int axis) { return triangles_.vertex[std::size_t(i)][std::size_t(axis)]; });
+    else
+      return use(detail::gathered_vertices<T, N>(mesh, primitive_));
+  }
   /// Whether a lane is not to spare.
   [[nodiscard]] bool holds(int lane) const noexcept { return primitive(lane) != none<Index>; }
 
@@ -147,6 +154,19 @@ class IndexedBlock {
     return RaysTest::cross_at(vertex, rays, infinity<T>);
   }
   [[nodiscard]] Index primitive(int lane) const noexcept { return primitive_[std::size_t(lane)]; }
+  template <typename Use>
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto with_vertices(const Mesh& mesh, const Use& use) const noexcept {
+    std::array<std::array<const std::byte*, std::size_t(N)>, 3> from;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t lane = 0; lane < std::size_t(N); ++lane) from[i][lane] = mesh.positions.at(vertex_[i][lane]);
+    return use([&](int i, int axis) {
+      return Pack<T, N>::generate([&](int lane) {
+        T value;
+        std::memcpy(&value, from[std::size_t(i)][std::size_t(lane)] + std::size_t(axis) * sizeof(T), sizeof(T));
+        return value;
+      });
+    });
+  }
   /// Whether a lane is not to spare.
   [[nodiscard]] bool holds(int lane) const noexcept { return lane == 0 || primitive(lane) != primitive(lane - 1); }
 
@@ -160,19 +180,6 @@ class IndexedBlock {
       for (std::size_t i = 0; i < 3; ++i) vertex_[i][lane] = vertices[is_point ? 0 : i];
       if (lane == 0 || primitive_[lane] != primitive_[lane - 1]) visit(v);
     }
-  }
-  template <typename Use>
-  [[nodiscard]] GLINT_ALWAYS_INLINE auto with_vertices(const Mesh& mesh, const Use& use) const noexcept {
-    std::array<std::array<const std::byte*, std::size_t(N)>, 3> from;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t lane = 0; lane < std::size_t(N); ++lane) from[i][lane] = mesh.positions.at(vertex_[i][lane]);
-    return use([&](int i, int axis) {
-      return Pack<T, N>::generate([&](int lane) {
-        T value;
-        std::memcpy(&value, from[std::size_t(i)][std::size_t(lane)] + std::size_t(axis) * sizeof(T), sizeof(T));
-        return value;
-      });
-    });
   }
 
   std::array<std::array<V, std::size_t(N)>, 3> vertex_;
@@ -260,6 +267,10 @@ class TriangleBlocks {
   GLINT_ALWAYS_INLINE Walk for_each_hit(const Mesh& mesh, const Ray<T>& ray, const Prepared& prepared,
                                         Slots<Index> slots, Sink& sink) const {
     return for_each_hit_in_blocks(blocks(slots), mesh, ray, prepared, sink);
+  }
+  template <typename Sink>
+  GLINT_ALWAYS_INLINE void for_each_near(const Mesh& mesh, const Vec3<T>& point, Slots<Index> slots, Sink& sink) const {
+    for_each_near_in_blocks(blocks(slots), mesh, point, sink);
   }
 
   /// Takes up where the triangles are now. Different slots may be at once.

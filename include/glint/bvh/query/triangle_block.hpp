@@ -6,14 +6,18 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
 #include <glint/bvh/concepts.hpp>
 #include <glint/core/config.hpp>
+#include <glint/core/index.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/ray.hpp>
+#include <glint/geometry/ray_triangle_pack.hpp>
+#include <glint/math/constants.hpp>
 #include <glint/math/vec.hpp>
 #include <glint/simd/pack.hpp>
 
@@ -37,6 +41,67 @@ template <std::floating_point T>
   Aabb<T> box;
   for (const Vec3<T>& v : vertices) extend(box, v);
   return box;
+}
+
+/// Vertices of triangles, looked up; NaNs where there is none.
+template <std::floating_point T, int N, typename Mesh, typename Indices>
+[[nodiscard]] auto gathered_vertices(const Mesh& mesh, const Indices& primitives) noexcept {
+  return [&](int i, int axis) {
+    return Pack<T, N>::generate([&](int lane) {
+      const auto primitive = primitives[std::size_t(lane)];
+      if (primitive == none<typename Mesh::Index>) return std::numeric_limits<T>::quiet_NaN();
+      return component(mesh.vertices(primitive)[std::size_t(i)], axis);
+    });
+  };
+}
+
+template <typename P>
+[[nodiscard]] GLINT_ALWAYS_INLINE P squared_length(const Pack3<P>& v) noexcept {
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+template <typename P>
+[[nodiscard]] GLINT_ALWAYS_INLINE P product(const Pack3<P>& a, const Pack3<P>& b) noexcept {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+/// From the point at `from` to the way's closest point: `along` is where that would be on an endless line.
+template <typename P>
+[[nodiscard]] GLINT_ALWAYS_INLINE P squared_to_segment(const Pack3<P>& from, const Pack3<P>& way, const P& along,
+                                                       const P& zero, const P& one) noexcept {
+  const P t = min(max(along, zero), one);
+  return squared_length(Pack3<P>{from[0] - way[0] * t, from[1] - way[1] * t, from[2] - way[2] * t});
+}
+
+/// Squared distances from a point to triangles, as closest_point of one has it; without meaning for those without area.
+template <std::floating_point T, int N, typename Vertex>
+[[nodiscard]] GLINT_ALWAYS_INLINE Pack<T, N> squared_distances(const Vec3<T>& point, const Vertex& vertex) noexcept {
+  using P = Pack<T, N>;
+  const Pack3<P> a = corner<P>(vertex, 0);
+  const Pack3<P> ab = minus(corner<P>(vertex, 1), a);
+  const Pack3<P> ac = minus(corner<P>(vertex, 2), a);
+  const Pack3<P> bc = minus(ac, ab);
+  const Pack3<P> ap = minus(in_all_lanes<P>(point), a);
+  const Pack3<P> bp = minus(ap, ab);
+  const P zero = P::broadcast(T(0));
+  const P one = P::broadcast(T(1));
+  const P b_b = squared_length(ab);
+  const P c_c = squared_length(ac);
+  const P b_c = product(ab, ac);
+  const P b_p = product(ab, ap);
+  const P c_p = product(ac, ap);
+  P least = squared_to_segment(ap, ab, b_p / b_b, zero, one);
+  least = min(squared_to_segment(ap, ac, c_p / c_c, zero, one), least);
+  least = min(squared_to_segment(bp, bc, product(bp, bc) / squared_length(bc), zero, one), least);
+  const P weight_b = c_c * b_p - b_c * c_p;
+  const P weight_c = b_b * c_p - b_c * b_p;
+  const P total = b_b * c_c - b_c * b_c;
+  const std::uint32_t inside = less(zero, min(weight_b, weight_c)) & less(weight_b + weight_c, total);
+  if (inside == 0) return least;
+  const P scale = one / total;
+  const P b = weight_b * scale;
+  const P c = weight_c * scale;
+  const P within = squared_length(
+      Pack3<P>{ap[0] - ab[0] * b - ac[0] * c, ap[1] - ab[1] * b - ac[1] * c, ap[2] - ab[2] * b - ac[2] * c});
+  return select(inside, min(within, least), least);
 }
 
 }  // namespace detail
@@ -70,6 +135,23 @@ GLINT_ALWAYS_INLINE Walk for_each_hit_in_blocks(std::span<const Block> blocks, c
     }
   }
   return Walk::Continue;
+}
+
+/// Shows a sink the triangles whose squared distance from a point is at most its limit, or may be by rounding.
+template <typename Block, typename Mesh, std::floating_point T, typename Sink>
+GLINT_ALWAYS_INLINE void for_each_near_in_blocks(std::span<const Block> blocks, const Mesh& mesh, const Vec3<T>& point,
+                                                 Sink& sink) {
+  constexpr int lanes = Block::Test::P::size;
+  constexpr T stretch = T(1) + rounding_bound<T>(32);
+  for (const Block& block : blocks) {
+    const auto squared = block.with_vertices(
+        mesh, [&](const auto& vertex) { return detail::squared_distances<T, lanes>(point, vertex); });
+    std::uint32_t mask = less_equal(squared, Pack<T, lanes>::broadcast(sink.limit() * stretch));
+    for (; mask != 0; mask &= mask - 1) {
+      const int lane = std::countr_zero(mask);
+      if (block.holds(lane) && squared[lane] <= sink.limit() * stretch) sink(block.primitive(lane));
+    }
+  }
 }
 
 }  // namespace glint

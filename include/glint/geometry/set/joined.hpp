@@ -64,6 +64,12 @@ class Joined {
     });
   }
 
+  [[nodiscard]] Vec3<Scalar> closest_point(const Vec3<Scalar>& point, Index i) const
+      requires(ClosestPointSet<Sets>&&...) {
+    return dispatch(
+        i, [&]<std::size_t N>(Number<N>, const auto& set, auto local) { return set.closest_point(point, local); });
+  }
+
   /// What each set prepares, and nothing for those that prepare nothing.
   [[nodiscard]] auto prepare(const Ray<Scalar>& ray) const {
     return std::apply([&](const auto&... sets) { return std::make_tuple(prepare_one(sets, ray)...); }, sets_);
