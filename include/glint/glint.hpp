@@ -103,6 +103,7 @@
 #include <glint/geometry/ray_triangle.hpp>
 #include <glint/geometry/ray_triangle_pack.hpp>
 #include <glint/geometry/set/filtered.hpp>
+#include <glint/geometry/set/instanced.hpp>
 #include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
 #include <glint/geometry/surface.hpp>

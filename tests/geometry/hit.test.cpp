@@ -3,10 +3,10 @@
 
 #include <support/catch.hpp>
 
-TEMPLATE_TEST_CASE("hit: the default names no primitive and no instance", "[geometry][hit]", float, double) {
+TEMPLATE_TEST_CASE("hit: the default names no primitive, and none within it", "[geometry][hit]", float, double) {
   const glint::Hit<TestType> hit;
   CHECK(hit.primitive == glint::none<std::uint32_t>);
-  CHECK(hit.instance == glint::none<std::uint32_t>);
+  CHECK(hit.inner == glint::none<std::uint32_t>);
   CHECK(glint::Hit<TestType, std::uint64_t>{}.primitive == glint::none<std::uint64_t>);
   CHECK(hit == glint::Hit<TestType>{});
 }

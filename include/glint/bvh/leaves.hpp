@@ -122,7 +122,7 @@ class IndexedLeaves {
   [[nodiscard]] GLINT_ALWAYS_INLINE bool occluded(const S& set, const Ray<Scalar>& ray, const Prepared& prepared,
                                                   Slots<Index> slots) const {
     for (std::size_t slot = slots.first; slot != std::size_t(slots.first) + slots.count; ++slot)
-      if (intersect(set, ray, prepared, order_[slot])) return true;
+      if (meets(set, ray, prepared, order_[slot])) return true;
     return false;
   }
   template <typename F>
@@ -167,6 +167,14 @@ class IndexedLeaves {
       return set.intersect(ray, prepared, i);
     else
       return set.intersect(ray, i);
+  }
+  template <typename Prepared>
+  [[nodiscard]] GLINT_ALWAYS_INLINE static bool meets(const S& set, const Ray<Scalar>& ray, const Prepared& prepared,
+                                                      Index i) {
+    if constexpr (OccluderSet<S>)
+      return set.occluded(ray, i);
+    else
+      return intersect(set, ray, prepared, i).has_value();
   }
 
   std::vector<Index> order_;

@@ -29,7 +29,7 @@ struct PacketHits {
   Lanes t;
   Lanes w1, w2, det;  ///< w1 / det and w2 / det are the hit's uv
   Pack<I, RayPacket<T, W>::size> primitive;
-  std::array<I, std::size_t(RayPacket<T>::size)> instance;
+  std::array<I, std::size_t(RayPacket<T>::size)> inner;
 
   /// None yet: rays end at their t_max.
   explicit PacketHits(const RayPacket<T, W>& packet) noexcept
@@ -38,14 +38,11 @@ struct PacketHits {
         w2(w1),
         det(Lanes::broadcast(T(1))),
         primitive(Pack<I, RayPacket<T>::size>::broadcast(none<I>)) {
-    instance.fill(none<I>);
+    inner.fill(none<I>);
   }
   [[nodiscard]] Hit<T, I> operator[](int i) const noexcept {
     const T scale = T(1) / det[i];
-    return {.t = t[i],
-            .uv = {w1[i] * scale, w2[i] * scale},
-            .primitive = primitive[i],
-            .instance = instance[std::size_t(i)]};
+    return {.t = t[i], .uv = {w1[i] * scale, w2[i] * scale}, .primitive = primitive[i], .inner = inner[std::size_t(i)]};
   }
   void set(int i, const Hit<T, I>& hit) noexcept {
     t.set(i, hit.t);
@@ -53,7 +50,7 @@ struct PacketHits {
     w2.set(i, hit.uv.y);
     det.set(i, T(1));
     primitive.set(i, hit.primitive);
-    instance[std::size_t(i)] = hit.instance;
+    inner[std::size_t(i)] = hit.inner;
   }
 };
 

@@ -28,7 +28,7 @@ using ScalarOf = typename ScalarOfBox<std::remove_cvref_t<decltype(bounds(std::d
 ///     Aabb<T> bounds(const P&);                                      // holds every point a ray can hit
 ///     std::optional<Hit<T>> intersect(const Ray<T>&, const P&);      // the first hit with t_min ≤ t ≤ t_max
 ///
-/// Laws: testing/primitive_laws.hpp. A hit's `primitive` and `instance` are left alone; sets fill them.
+/// Laws: testing/primitive_laws.hpp. A hit's `primitive` and `inner` are left alone; sets fill them.
 template <typename P>
 concept Primitive = requires(const P& primitive) {
   {bounds(primitive)};
@@ -121,6 +121,24 @@ concept ClosestPointSet = PrimitiveSet<S> &&
     requires(const S& set, typename S::Index i, const Vec3<typename S::Scalar>& point) {
   { set.closest_point(point, i) } -> std::same_as<Vec3<typename S::Scalar>>;
 };
+
+/// A set that answers faster whether a ray meets a primitive than where: `occluded(ray, i)` is
+/// `intersect(ray, i).has_value()`.
+template <typename S>
+concept OccluderSet = PrimitiveSet<S> &&
+    requires(const S& set, typename S::Index i, const Ray<typename S::Scalar>& ray) {
+  { set.occluded(ray, i) } -> std::same_as<bool>;
+};
+
+/// How many values `inner` may have in the hits of a set, `none` among them: one, where nothing is nested.
+template <BoundedSet S>
+[[nodiscard]] constexpr std::size_t inner_values(const S& set) noexcept {
+  if constexpr (requires { set.inner_values(); }) {
+    return set.inner_values();
+  } else {
+    return 1;
+  }
+}
 
 /// Something that answers ray queries over a whole scene.
 ///

@@ -14,7 +14,7 @@ struct Hit {
   T t = 0;                ///< in multiples of the ray's direction
   Vec2<T> uv{T(0)};       ///< the intersector's parameters; triangle: weights of vertices 1 and 2
   I primitive = none<I>;  ///< the caller's own index in the set
-  I instance = none<I>;   ///< filled by instancing adaptors
+  I inner = none<I>;      ///< where the primitive is an object placed by Instanced: which primitive within it
 
   [[nodiscard]] friend bool operator==(const Hit&, const Hit&) noexcept = default;
 };

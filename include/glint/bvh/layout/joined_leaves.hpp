@@ -133,7 +133,7 @@ class JoinedLeaves {
     return {.t = local.t,
             .uv = local.uv,
             .primitive = begin + Index(local.primitive),
-            .instance = local.instance == none<Local> ? none<Index> : Index(local.instance)};
+            .inner = local.inner == none<Local> ? none<Index> : Index(local.inner)};
   }
   /// Shows what a leaf has of each set to `f(At<K>, leaves, run) -> Walk`.
   template <typename F>

@@ -36,7 +36,7 @@ GLINT_ALWAYS_INLINE Walk visited(const Visit& visit, const Args&... args) {
 /// The order of all hits along a ray, that of is_closer first.
 template <std::floating_point T, std::unsigned_integral I>
 [[nodiscard]] constexpr bool precedes(const Hit<T, I>& a, const Hit<T, I>& b) noexcept {
-  return std::tie(a.t, a.primitive, a.instance) < std::tie(b.t, b.primitive, b.instance);
+  return std::tie(a.t, a.primitive, a.inner) < std::tie(b.t, b.primitive, b.inner);
 }
 
 /// A ray query that sees missing children as they are, empty: it shows no leaf twice.

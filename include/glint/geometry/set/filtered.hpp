@@ -39,6 +39,7 @@ class Filtered {
   constexpr Filtered(S set, Accept accept) : set_(std::move(set)), accept_(std::move(accept)) {}
 
   [[nodiscard]] constexpr std::size_t size() const noexcept { return set_.size(); }
+  [[nodiscard]] constexpr std::size_t inner_values() const noexcept { return glint::inner_values(set_); }
   /// All hits, those too that do not count.
   [[nodiscard]] constexpr const S& set() const noexcept { return set_; }
   [[nodiscard]] bool accepts(const Ray<Scalar>& ray, const Hit<Scalar, Index>& hit) const { return accept_(ray, hit); }

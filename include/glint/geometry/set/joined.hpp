@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -38,6 +39,10 @@ class Joined {
   constexpr explicit Joined(Sets... sets) : sets_(std::move(sets)...) { count(std::index_sequence_for<Sets...>{}); }
 
   [[nodiscard]] constexpr std::size_t size() const noexcept { return begins_.back(); }
+
+  [[nodiscard]] constexpr std::size_t inner_values() const noexcept {
+    return std::apply([](const auto&... sets) { return std::max({glint::inner_values(sets)...}); }, sets_);
+  }
 
   template <std::size_t N>
   [[nodiscard]] constexpr const auto& set() const noexcept {
@@ -96,8 +101,8 @@ class Joined {
       requires(ShadableSet<Sets>&&...) {
     return dispatch(hit.primitive, [&]<std::size_t N>(Number<N>, const auto& set, auto local) {
       using Local = typename std::remove_cvref_t<decltype(set)>::Index;
-      const Local instance = hit.instance == none<Index> ? none<Local> : static_cast<Local>(hit.instance);
-      return set.surface(ray, Hit<Scalar, Local>{hit.t, hit.uv, local, instance});
+      const Local inner = hit.inner == none<Index> ? none<Local> : static_cast<Local>(hit.inner);
+      return set.surface(ray, Hit<Scalar, Local>{hit.t, hit.uv, local, inner});
     });
   }
 
@@ -125,9 +130,9 @@ class Joined {
   template <typename LocalHit>
   [[nodiscard]] static std::optional<Hit<Scalar, Index>> with_index(const std::optional<LocalHit>& hit, Index i) {
     if (!hit) return std::nullopt;
-    using Local = decltype(hit->instance);
-    const Index instance = hit->instance == none<Local> ? none<Index> : static_cast<Index>(hit->instance);
-    return Hit<Scalar, Index>{hit->t, hit->uv, i, instance};
+    using Local = decltype(hit->inner);
+    const Index inner = hit->inner == none<Local> ? none<Index> : static_cast<Index>(hit->inner);
+    return Hit<Scalar, Index>{hit->t, hit->uv, i, inner};
   }
 
   /// Calls f with the set that holds element i, and the element's index there.
