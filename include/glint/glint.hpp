@@ -77,6 +77,7 @@
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/core/fixed_stack.hpp>
+#include <glint/core/hash.hpp>
 #include <glint/core/index.hpp>
 #include <glint/core/one_of.hpp>
 #include <glint/core/prefetch.hpp>
@@ -131,6 +132,7 @@
 #include <glint/io/image_limits.hpp>
 #include <glint/io/json_object.hpp>
 #include <glint/io/json_parse.hpp>
+#include <glint/io/mapped_tree.hpp>
 #include <glint/io/mesh_obj.hpp>
 #include <glint/io/obj_check.hpp>
 #include <glint/io/png_check.hpp>
@@ -144,6 +146,7 @@
 #include <glint/io/scene_objects.hpp>
 #include <glint/io/scene_settings.hpp>
 #include <glint/io/scene_textures.hpp>
+#include <glint/io/tree_file.hpp>
 #include <glint/light/adaptive_light_sampler.hpp>
 #include <glint/light/area.hpp>
 #include <glint/light/concepts.hpp>
