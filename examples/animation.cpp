@@ -29,8 +29,10 @@ std::vector<glm::vec3> twisted(const std::vector<glm::vec3>& rest, float angle_p
 std::vector<float> depths(const auto& bvh) {
   std::vector<float> depths;
   for (int pixel = 0; pixel < 64 * 64; ++pixel) {
+    const int row = pixel / 64;
+    const int column = pixel % 64;
     const glint::Ray<float> ray{.origin = {0, 0, 4},
-                                .direction = {float(pixel % 64) / 64 - 0.5F, float(pixel / 64) / 64 - 0.5F, -1}};
+                                .direction = {float(column) / 64 - 0.5F, float(row) / 64 - 0.5F, -1}};
     const auto hit = bvh.closest(ray);
     depths.push_back(hit ? hit->t : ray.t_max);
   }

@@ -68,8 +68,9 @@ int main() {
   const glint::MappedTree<float> tree("blob.tree", origin);
   const glint::Bvh bvh(mesh);
   for (int i = 0; i < 10000; ++i) {
+    const int row = i / 100;
     const glint::Ray<float> ray{.origin = {0.013F, 0.007F, 4},
-                                .direction = {float(i % 100) / 100 - 0.503F, float(i / 100) / 100 - 0.497F, -1}};
+                                .direction = {float(i % 100) / 100 - 0.503F, float(row) / 100 - 0.497F, -1}};
     const auto expected = bvh.closest(ray);
     const std::uint32_t found = walk(tree.view(), mesh, ray);
     if (found != (expected ? expected->primitive : glint::none<std::uint32_t>)) return 1;

@@ -4,7 +4,6 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/layout/collapse.hpp>
@@ -45,6 +44,26 @@ struct FittedLayout {
 
 namespace detail {
 
+/// What a child adds: half of its box's area, as often as it has slots to test.
+template <std::floating_point T, std::unsigned_integral I>
+[[nodiscard]] double child_area(const Aabb<T>& box, const Link<I>& link) noexcept {
+  return double(half_area(box)) * (link.is_leaf() ? double(link.count) : 1.0);
+}
+
+template <RefittableLayout L>
+[[nodiscard]] double area_below(const L& layout, const Link<typename L::Index>& link) {
+  using T = typename L::Scalar;
+  if (link.is_leaf()) return 0;
+  double area = 0;
+  const BoxPack<T, L::width> boxes = layout.children(link.first);
+  for (std::size_t i = 0; i != layout.child_count(link.first); ++i) {
+    const auto at = [&](std::size_t plane) { return boxes.plane(plane)[int(i)]; };
+    const Link<typename L::Index> child = layout.links(link.first)[i];
+    area += child_area(Aabb<T>{{at(0), at(1), at(2)}, {at(3), at(4), at(5)}}, child) + area_below(layout, child);
+  }
+  return area;
+}
+
 template <RefittableLayout L, Executor E, typename FitLeaf>
 class LayoutRefitter {
  public:
@@ -82,8 +101,7 @@ class LayoutRefitter {
     for (std::size_t i = 0; i != count; ++i) {
       extend(all.bounds, below[i].bounds);
       all.lost += below[i].lost;
-      const Link<I>& link = children[i].link;
-      all.area += below[i].area + double(half_area(below[i].bounds)) * (link.is_leaf() ? double(link.count) : 1.0);
+      all.area += below[i].area + child_area(below[i].bounds, children[i].link);
     }
     layout_.refit(node, all.bounds, std::span<const WideChild<T, I>>(children.data(), count));
     return all;
@@ -111,24 +129,7 @@ class LayoutRefitter {
 /// Cost: O(nodes).
 template <RefittableLayout L>
 [[nodiscard]] double layout_area(const L& layout) {
-  using I = typename L::Index;
-  using T = typename L::Scalar;
-  double area = 0;
-  std::vector<I> pending;
-  if (!layout.empty() && !layout.root().is_leaf()) pending.push_back(layout.root().first);
-  while (!pending.empty()) {
-    const I node = pending.back();
-    pending.pop_back();
-    const BoxPack<T, L::width> boxes = layout.children(node);
-    for (std::size_t i = 0; i != layout.child_count(node); ++i) {
-      const auto at = [&](std::size_t plane) { return boxes.plane(plane)[int(i)]; };
-      const Link<I> link = layout.links(node)[i];
-      const double half = double(half_area(Aabb<T>{{at(0), at(1), at(2)}, {at(3), at(4), at(5)}}));
-      area += half * (link.is_leaf() ? double(link.count) : 1.0);
-      if (!link.is_leaf()) pending.push_back(link.first);
-    }
-  }
-  return area;
+  return layout.empty() ? 0.0 : detail::area_below(layout, layout.root());
 }
 
 /// Boxes anew, in place, from the leaves up: `fit_leaf(Slots) -> FittedLeaf` says how large a leaf is now, and may

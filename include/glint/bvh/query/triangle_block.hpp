@@ -115,7 +115,21 @@ GLINT_ALWAYS_INLINE Walk for_each_in_blocks(std::span<const Block> blocks, const
   return Walk::Continue;
 }
 
-/// Shows the hits in blocks to a sink, as leaves.hpp has it. Rays through edges are decided by the mesh.
+namespace detail {
+
+/// The hit that a block found in a lane. A ray through an edge is decided by the mesh.
+template <typename Block, typename Mesh, std::floating_point T, typename Prepared, typename Found>
+[[nodiscard]] GLINT_ALWAYS_INLINE std::optional<Hit<T, typename Block::Index>> hit_in_lane(
+    const Block& block, const Mesh& mesh, const Ray<T>& ray, const Prepared& prepared, const Found& c, int lane) {
+  if ((c.tied >> lane & 1U) != 0) return mesh.intersect(ray, prepared.single, block.primitive(lane));
+  const T scale = T(1) / c.det[lane];
+  return Hit<T, typename Block::Index>{
+      .t = c.t[lane], .uv = {c.w1[lane] * scale, c.w2[lane] * scale}, .primitive = block.primitive(lane)};
+}
+
+}  // namespace detail
+
+/// Shows the hits in blocks to a sink, as leaves.hpp has it.
 template <typename Block, typename Mesh, std::floating_point T, typename Prepared, typename Sink>
 GLINT_ALWAYS_INLINE Walk for_each_hit_in_blocks(std::span<const Block> blocks, const Mesh& mesh, const Ray<T>& ray,
                                                 const Prepared& prepared, Sink& sink) {
@@ -124,13 +138,7 @@ GLINT_ALWAYS_INLINE Walk for_each_hit_in_blocks(std::span<const Block> blocks, c
     for (std::uint32_t mask = c.hit | c.tied; mask != 0; mask &= mask - 1) {
       const int lane = std::countr_zero(mask);
       if (!block.holds(lane)) continue;
-      std::optional<Hit<T, typename Block::Index>> hit;
-      if ((c.tied >> lane & 1U) != 0) {
-        hit = mesh.intersect(ray, prepared.single, block.primitive(lane));
-      } else {
-        const T scale = T(1) / c.det[lane];
-        hit = {.t = c.t[lane], .uv = {c.w1[lane] * scale, c.w2[lane] * scale}, .primitive = block.primitive(lane)};
-      }
+      const auto hit = detail::hit_in_lane(block, mesh, ray, prepared, c, lane);
       if (hit && sink(*hit) == Walk::Stop) return Walk::Stop;
     }
   }
