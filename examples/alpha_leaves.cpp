@@ -12,16 +12,28 @@
 #include <glint/geometry/sphere.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
 
-int main() {
+namespace {
+
+/// Three by three squares side by side, each with the texture coordinates of a whole leaf.
+glint::MeshBuffers<float> squares() {
   glint::MeshBuffers<float> buffers;
   for (unsigned i = 0; i < 9; ++i) {
-    const glm::vec3 corner{float(i % 3) * 2 - 3, float(i / 3) * 2 - 3, 0.3F * float(i % 2)};
+    const unsigned row = i / 3;
+    const unsigned column = i % 3;
+    const glm::vec3 corner{float(column) * 2 - 3, float(row) * 2 - 3, 0.3F * float(i % 2)};
     for (const glm::vec2 uv : {glm::vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
       buffers.positions.push_back(corner + glm::vec3(uv * 2.0F, 0));
       buffers.uvs.emplace_back(uv);
     }
     for (const unsigned k : {0U, 1U, 2U, 0U, 2U, 3U}) buffers.indices.push_back(4 * i + k);
   }
+  return buffers;
+}
+
+}  // namespace
+
+int main() {
+  const glint::MeshBuffers<float> buffers = squares();
   const std::vector<glint::Sphere<float>> balls{{.center = {0, 0, -2}, .radius = 1.5F}};
 
   // <region: filter>

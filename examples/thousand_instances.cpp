@@ -23,7 +23,8 @@ std::vector<glint::Instance<Stone>> field(const Stone& round, const Stone& rough
   glint::Random random(1);
   std::vector<glint::Instance<Stone>> stones;
   for (int i = 0; i < 1000; ++i) {
-    const glm::vec3 spot{float(i % 40) - 20, 0, float(i / 40) - 12};
+    const int row = i / 40;
+    const glm::vec3 spot{float(i % 40) - 20, 0, float(row) - 12};
     const glm::vec3 size = glm::vec3(0.2F) + random.uniform_vec3<float>() * 0.2F;
     stones.push_back(
         place(i % 3 == 0 ? rough : round,
@@ -36,8 +37,9 @@ std::vector<glint::Instance<Stone>> field(const Stone& round, const Stone& rough
 std::size_t count_hits(const auto& world) {
   std::size_t hits = 0;
   for (int pixel = 0; pixel < 128 * 128; ++pixel) {
-    const glint::Ray<float> ray{.origin = {0, 20, 20},
-                                .direction = {float(pixel % 128) / 64 - 1, float(pixel / 128) / 64 - 2, -1}};
+    const int row = pixel / 128;
+    const int column = pixel % 128;
+    const glint::Ray<float> ray{.origin = {0, 20, 20}, .direction = {float(column) / 64 - 1, float(row) / 64 - 2, -1}};
     hits += std::size_t(world.closest(ray).has_value());
   }
   return hits;
