@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include <glint/color/tone_curve.hpp>
 #include <glint/core/tbb_executor.hpp>
 #include <glint/film/film.hpp>
 #include <glint/io/image.hpp>
@@ -41,6 +42,7 @@ struct RenderArguments {
   int threads = 0;
   int tile_size = 32;
   float exposure = 0;
+  std::optional<glint::ToneCurve> tone;
   bool no_png = false;
   bool quiet = false;
 };
@@ -93,10 +95,23 @@ std::string exposure_problem(const std::string& text) {
   return "found \"" + text + "\", expected a number from -64 to 64";
 }
 
+std::optional<glint::ToneCurve> tone_of(const std::string& text) {
+  for (const auto& [name, curve] : glint::tone_curves) {
+    if (name == text) return curve;
+  }
+  return std::nullopt;
+}
+
+std::string tone_problem(const std::string& text) {
+  if (tone_of(text)) return {};
+  return "found \"" + text + "\", expected one of clip, filmic, hable, agx";
+}
+
 glint::SceneFile read_scene(const RenderArguments& arguments) {
   glint::SceneFile scene = glint::read_scene(arguments.scene, arguments.reading);
   if (arguments.samples) scene.integrator.samples = *arguments.samples;
   if (arguments.seed) scene.sampler.seed = *arguments.seed;
+  if (arguments.tone) scene.film.tone = *arguments.tone;
   if (!arguments.resolution.empty()) scene.film.resolution = *parse_resolution(arguments.resolution);
   for (const std::string& warning : scene.warnings) std::fprintf(stderr, "glint: warning: %s\n", warning.c_str());
   return scene;
@@ -125,6 +140,14 @@ Rendering render_scene(const glint::SceneFile& file, const RenderArguments& argu
   return {film.develop(executor), report};
 }
 
+/// What a clamp takes is missing from the picture.
+void tell_of_clamp(const glint::SceneFile& scene) {
+  const auto* const path = scene.integrator.integrator.get_if<glint::Path>();
+  if (path == nullptr || !path->clamp.is_on()) return;
+  std::printf("light is clamped (direct %g, indirect %g): darker than without\n",
+              static_cast<double>(path->clamp.direct), static_cast<double>(path->clamp.indirect));
+}
+
 void tell(const glint::SceneFile& scene, const RenderArguments& arguments, const glint::RenderReport& report,
           double other_seconds, const std::vector<std::filesystem::path>& outputs) {
   if (report.dropped != 0) {
@@ -136,14 +159,15 @@ void tell(const glint::SceneFile& scene, const RenderArguments& arguments, const
               scene.film.resolution.y, scene.integrator.samples, clock_time(report.seconds).c_str(), other_seconds);
   std::printf("%.2f M samples/s, %.2f M rays/s\n", static_cast<double>(report.samples) / report.seconds * 1e-6,
               static_cast<double>(report.rays) / report.seconds * 1e-6);
+  tell_of_clamp(scene);
   for (const std::filesystem::path& output : outputs) {
     std::printf("wrote %s\n", std::filesystem::absolute(output).lexically_normal().string().c_str());
   }
 }
 
-void write(const glint::Image& image, const std::filesystem::path& output, float exposure_stops) {
+void write(const glint::Image& image, const std::filesystem::path& output, const glint::PngOptions& options) {
   if (glint::detail::lower_case_extension(output) == ".png") {
-    glint::write_png(image, output, {.exposure_stops = exposure_stops});
+    glint::write_png(image, output, options);
   } else {
     glint::write_image(image, output);
   }
@@ -162,12 +186,49 @@ int render_file(const RenderArguments& arguments) {
     std::fputs("glint: interrupted, nothing written\n", stderr);
     return interrupted;
   }
+  const glint::PngOptions png{.exposure_stops = arguments.exposure, .curve = scene.film.tone};
   executor->parallel_for(outputs.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) write(rendering.image, outputs[i], arguments.exposure);
+    for (std::size_t i = begin; i < end; ++i) write(rendering.image, outputs[i], png);
   });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   tell(scene, arguments, rendering.report, std::max(0.0, seconds - rendering.report.seconds), outputs);
   return 0;
+}
+
+void add_scene_options(CLI::App& command, const std::shared_ptr<RenderArguments>& a) {
+  command.add_option("SCENE", a->scene, "The scene, JSON")->required()->option_text(" ");
+  command.add_option("--spp", a->samples, "Samples a pixel")->check(CLI::Range(1, 1 << 24))->option_text("N");
+  command.add_option("--seed", a->seed, "Another seed, other noise")
+      ->check(CLI::Validator(seed_problem, ""))
+      ->option_text("N");
+  command.add_option("--resolution", a->resolution, "Image size, as 640x480")
+      ->check(CLI::Validator(resolution_problem, ""))
+      ->option_text("WxH");
+  command
+      .add_option("--integrator", a->reading.integrator,
+                  "Replace the scene's integrator: path, direct, bdpt, light_tracer, random_walk, intersection_test, "
+                  "ambient_occlusion, normals")
+      ->option_text("NAME");
+  command.add_option("--override", a->reading.overrides, "Merged into the scene; may be given several times")
+      ->allow_extra_args(false)
+      ->option_text("JSON");
+  command.add_flag("--strict", a->reading.strict, "Unknown keys in the scene are errors");
+}
+
+void add_output_options(CLI::App& command, const std::shared_ptr<RenderArguments>& a) {
+  command.add_option("-o,--output", a->outputs, "Write to this file: .exr, .hdr or .png; may be given several times")
+      ->allow_extra_args(false)
+      ->option_text("FILE");
+  command.add_option("--exposure", a->exposure, "Stops by which the PNG is brightened, -64 to 64")
+      ->check(CLI::Validator(exposure_problem, ""))
+      ->option_text("STOPS");
+  command
+      .add_option_function<std::string>(
+          "--tone", [a](const std::string& name) { a->tone = tone_of(name); },
+          "The curve of the PNG: clip, filmic, hable, agx")
+      ->check(CLI::Validator(tone_problem, ""))
+      ->option_text("NAME");
+  command.add_flag("--no-png", a->no_png, "Write no PNG beside the EXR");
 }
 
 }  // namespace
@@ -175,36 +236,14 @@ int render_file(const RenderArguments& arguments) {
 void add_render_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("render", "Render a JSON scene to EXR and PNG");
   const auto a = std::make_shared<RenderArguments>();
-  command->add_option("SCENE", a->scene, "The scene, JSON")->required()->option_text(" ");
-  command->add_option("-o,--output", a->outputs, "Write to this file: .exr, .hdr or .png; may be given several times")
-      ->allow_extra_args(false)
-      ->option_text("FILE");
-  command->add_option("--spp", a->samples, "Samples a pixel")->check(CLI::Range(1, 1 << 24))->option_text("N");
-  command->add_option("--seed", a->seed, "Another seed, other noise")
-      ->check(CLI::Validator(seed_problem, ""))
-      ->option_text("N");
+  add_scene_options(*command, a);
+  add_output_options(*command, a);
   command->add_option("--threads", a->threads, "Threads; all cores by default")
       ->check(CLI::Range(1, 4096))
       ->option_text("N");
-  command->add_option("--resolution", a->resolution, "Image size, as 640x480")
-      ->check(CLI::Validator(resolution_problem, ""))
-      ->option_text("WxH");
-  command
-      ->add_option("--integrator", a->reading.integrator,
-                   "Replace the scene's integrator: path, bdpt, light_tracer, random_walk, intersection_test, "
-                   "ambient_occlusion, normals")
-      ->option_text("NAME");
-  command->add_option("--override", a->reading.overrides, "Merged into the scene; may be given several times")
-      ->allow_extra_args(false)
-      ->option_text("JSON");
-  command->add_option("--exposure", a->exposure, "Stops by which the PNG is brightened, -64 to 64")
-      ->check(CLI::Validator(exposure_problem, ""))
-      ->option_text("STOPS");
   command->add_option("--tile-size", a->tile_size, "Edge of a thread's share of the image, in pixels")
       ->check(CLI::Range(1, 65536))
       ->option_text("N");
-  command->add_flag("--no-png", a->no_png, "Write no PNG beside the EXR");
-  command->add_flag("--strict", a->reading.strict, "Unknown keys in the scene are errors");
   command->add_flag("--quiet", a->quiet, "Print nothing but warnings and errors");
   command->footer("Without -o, writes SCENE.exr and SCENE.png into the working directory.");
   command->callback([a, &exit_code] { exit_code = render_file(*a); });

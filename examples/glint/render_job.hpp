@@ -4,6 +4,7 @@
 #include <glint/film/film.hpp>
 #include <glint/integrator/ambient_occlusion.hpp>
 #include <glint/integrator/bdpt.hpp>
+#include <glint/integrator/direct.hpp>
 #include <glint/integrator/intersection_test.hpp>
 #include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/normals.hpp>
@@ -26,6 +27,7 @@ struct RenderJob {
 // One unit each, for each takes the compiler long.
 glint::RenderReport render(const RenderJob& job, const glint::IntersectionTest& integrator);
 glint::RenderReport render(const RenderJob& job, const glint::Path& integrator);
+glint::RenderReport render(const RenderJob& job, const glint::Direct& integrator);
 glint::RenderReport render(const RenderJob& job, const glint::LightTracer& integrator);
 glint::RenderReport render(const RenderJob& job, const glint::Bdpt& integrator);
 glint::RenderReport render(const RenderJob& job, const glint::AmbientOcclusion& integrator);

@@ -74,6 +74,7 @@
 #include <glint/color/rgb.hpp>
 #include <glint/color/srgb.hpp>
 #include <glint/color/tone.hpp>
+#include <glint/color/tone_curve.hpp>
 #include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/core/fixed_stack.hpp>
@@ -114,15 +115,18 @@
 #include <glint/integrator/ambient_occlusion.hpp>
 #include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/concepts.hpp>
+#include <glint/integrator/direct.hpp>
 #include <glint/integrator/direct_light.hpp>
 #include <glint/integrator/emitters.hpp>
 #include <glint/integrator/intersection_test.hpp>
 #include <glint/integrator/light_scattering.hpp>
+#include <glint/integrator/light_search.hpp>
 #include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/mis.hpp>
 #include <glint/integrator/normals.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/integrator/path_densities.hpp>
+#include <glint/integrator/path_limits.hpp>
 #include <glint/integrator/roulette.hpp>
 #include <glint/io/error.hpp>
 #include <glint/io/file.hpp>

@@ -18,6 +18,12 @@ TEST_CASE("tone: pixels become bytes row by row from the top, red first", "[colo
   CHECK(glint::to_srgb8(glint::Image{}).empty());
 }
 
+TEST_CASE("tone: the curve works on what is exposed", "[color][tone]") {
+  const glint::Image half({1, 1}, 0.5F);
+  const std::uint8_t expected = glint::encode_srgb8(glint::hable_curve(1));
+  CHECK(glint::to_srgb8(half, {.exposure = 1, .curve = glint::ToneCurve::Hable}) == Bytes(3, expected));
+}
+
 TEST_CASE("tone: a stop of exposure doubles the light", "[color][tone]") {
   const glint::Image quarter({1, 1}, 0.25F);
   const glint::Image half({1, 1}, 0.5F);

@@ -126,6 +126,12 @@ TEST_CASE("png: 16-bit files keep their 16 bits", "[io][png]") {
   CHECK(read_ldr(path)(0, 0).r == Approx(glint::decode_srgb(0x1234 / 65535.0)).epsilon(1e-5));
 }
 
+TEST_CASE("png: a tone curve follows the exposure", "[io][png]") {
+  const TemporaryDirectory directory;
+  write_png(Image{{1, 1}, 0.5F}, directory / "a.png", {.exposure_stops = 1, .curve = glint::ToneCurve::Filmic});
+  CHECK(read_ldr(directory / "a.png")(0, 0).r == Approx(glint::filmic_curve(1)).margin(0.005));
+}
+
 TEST_CASE("png: exposure doubles the light with each stop", "[io][png]") {
   const TemporaryDirectory directory;
   write_png(Image{{2, 2}, 0.1F}, directory / "a.png", {.exposure_stops = 2});

@@ -122,9 +122,10 @@ TEST_CASE("scene: another integrator can be asked for", "[io][scene]") {
   CHECK(scene.integrator.integrator.get_if<glint::IntersectionTest>() != nullptr);
   CHECK(scene.integrator.samples == 3);
   CHECK(scene.warnings.empty());
-  CHECK(scene_error(smallest, {.integrator = "psth"}) ==
-        "--integrator: found \"psth\", expected one of \"intersection_test\", \"path\", \"random_walk\", "
-        "\"light_tracer\", \"bdpt\", \"ambient_occlusion\", \"normals\", \"photon\"; did you mean \"path\"?");
+  CHECK(
+      scene_error(smallest, {.integrator = "psth"}) ==
+      "--integrator: found \"psth\", expected one of \"intersection_test\", \"path\", \"random_walk\", "
+      "\"direct\", \"light_tracer\", \"bdpt\", \"ambient_occlusion\", \"normals\", \"photon\"; did you mean \"path\"?");
 }
 
 TEST_CASE("scene: files that are no scenes are errors with their name", "[io][scene]") {

@@ -114,6 +114,37 @@ TEST_CASE("scene settings: every spelling of a light strategy", "[io][scene]") {
   for (const char* const name : {"RW", "RandomWalk"}) CHECK(strategy(name) == LightStrategy::RandomWalk);
 }
 
+TEST_CASE("scene settings: bounces are unlimited and light is not clamped unless asked for", "[io][scene]") {
+  CHECK(integrator_of("{}").integrator.get_if<Path>()->limits == glint::BounceLimits{});
+  CHECK_FALSE(integrator_of("{}").integrator.get_if<Path>()->clamp.is_on());
+  const auto settings = integrator_of(R"({"max_diffuse": 0, "max_glossy": 3, "max_transmissive": 8,
+    "clamp_direct": 20, "clamp_indirect": 2.5})");
+  const Path& path = *settings.integrator.get_if<Path>();
+  CHECK(path.limits == glint::BounceLimits{.diffuse = 0, .glossy = 3, .transmissive = 8});
+  CHECK(path.clamp == glint::LightClamp{.direct = 20, .indirect = 2.5F});
+  CHECK(json_error(R"({"max_glossy": -1})", read_any_integrator) ==
+        "/x/max_glossy: found -1, expected an integer from 0 up");
+  CHECK(json_error(R"({"clamp_indirect": 0})", read_any_integrator) ==
+        "/x/clamp_indirect: found 0, expected a number above 0");
+}
+
+TEST_CASE("scene settings: a film may name a tone curve", "[io][scene]") {
+  CHECK(film_of("{}").tone == glint::ToneCurve::Clip);
+  CHECK(film_of(R"({"tone": "agx"})").tone == glint::ToneCurve::Agx);
+  CHECK(json_error(R"({"tone": "aces"})", glint::read_film) ==
+        "/x/tone: found \"aces\", expected one of \"clip\", \"filmic\", \"hable\", \"agx\"");
+}
+
+TEST_CASE("scene settings: direct light takes a depth and a strategy", "[io][scene]") {
+  const auto plain = integrator_of(R"({"type": "direct"})").integrator;
+  REQUIRE(plain.get_if<glint::Direct>() != nullptr);
+  CHECK(plain.get_if<glint::Direct>()->max_depth == 12);
+  CHECK(plain.get_if<glint::Direct>()->strategy == glint::LightStrategy::Mis);
+  const auto keys = integrator_of(R"({"type": "direct", "max_depth": 3, "profile": "RW"})").integrator;
+  CHECK(keys.get_if<glint::Direct>()->max_depth == 3);
+  CHECK(keys.get_if<glint::Direct>()->strategy == glint::LightStrategy::RandomWalk);
+}
+
 TEST_CASE("scene settings: photon is rendered by path, and says so", "[io][scene]") {
   JsonText json(R"({"type": "photon", "spp": 128, "n_photons": 1000, "n_iterations": 4, "n_near_photons": 8})");
   json.source.strict = true;  // not an oddity of the file
@@ -146,8 +177,8 @@ TEST_CASE("scene settings: paths may begin at the camera, at lights, or at both,
 TEST_CASE("scene settings: a wrong integrator is an error that tells what was found and expected", "[io][scene]") {
   const auto error = [](const char* text) { return json_error(text, read_any_integrator); };
   CHECK(error(R"({"type": "pth"})") ==
-        "/x/type: found \"pth\", expected one of \"intersection_test\", \"path\", \"random_walk\", \"light_tracer\", "
-        "\"bdpt\", \"ambient_occlusion\", \"normals\", \"photon\"; did you mean \"path\"?");
+        "/x/type: found \"pth\", expected one of \"intersection_test\", \"path\", \"random_walk\", \"direct\", "
+        "\"light_tracer\", \"bdpt\", \"ambient_occlusion\", \"normals\", \"photon\"; did you mean \"path\"?");
   CHECK(error(R"({"type": 3})") == "/x/type: found 3, expected a string");
   CHECK(error(R"({"spp": -4})") == "/x/spp: found -4, expected an integer from 1 to 16777216");
   CHECK(error(R"({"spp": 0})") == "/x/spp: found 0, expected an integer from 1 to 16777216");

@@ -168,6 +168,29 @@ TEST_CASE("program: render --exposure doubles the PNG's light a stop, and leaves
   }
 }
 
+TEST_CASE("program: render says in its report where light is clamped", "[program]") {
+  const Workshop workshop;
+  const auto report = [&](const char* integrator) {
+    return workshop.render({"--integrator", "path", "--override", integrator}).out;
+  };
+  CHECK(report(R"({"integrator": {"clamp_indirect": 2}})").find("light is clamped (direct inf, indirect 2)") !=
+        std::string::npos);
+  CHECK(report("{}").find("clamp") == std::string::npos);
+}
+
+TEST_CASE("program: render --tone bends the PNG's light, and leaves the EXR alone", "[program]") {
+  const Workshop workshop;
+  CHECK(workshop.render({"-o", "plain.exr"}).status == 0);
+  CHECK(workshop.render({"-o", "filmic.exr", "--tone", "filmic"}).status == 0);
+  CHECK(workshop.render({"-o", "scene.exr", "--override", R"({"film": {"tone": "filmic"}})"}).status == 0);
+  CHECK(content_of(workshop.directory / "plain.exr") == content_of(workshop.directory / "filmic.exr"));
+  CHECK(content_of(workshop.directory / "plain.png") != content_of(workshop.directory / "filmic.png"));
+  CHECK(content_of(workshop.directory / "scene.png") == content_of(workshop.directory / "filmic.png"));
+  const Outcome outcome = workshop.render({"--tone", "aces"});
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err.find("found \"aces\", expected one of clip, filmic, hable, agx") != std::string::npos);
+}
+
 TEST_CASE("program: render --strict makes unknown keys errors", "[program]") {
   const Workshop workshop;
   CHECK(workshop.render({"--strict"}).status == 0);

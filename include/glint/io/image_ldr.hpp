@@ -20,6 +20,8 @@
 
 #include <glint/color/image.hpp>
 #include <glint/color/srgb.hpp>
+#include <glint/color/tone.hpp>
+#include <glint/color/tone_curve.hpp>
 #include <glint/io/error.hpp>
 #include <glint/io/file.hpp>
 #include <glint/io/image_limits.hpp>
@@ -31,10 +33,11 @@ namespace glint {
 /// What the numbers of an 8-bit or 16-bit image mean: sRGB for pictures, linear for data such as normal maps.
 enum class Encoding { Srgb, Linear };
 
-/// Shapes:   the brightness a PNG is developed for.
+/// Shapes:   how a PNG is developed.
 /// Units:    stops: each doubles the light.
 struct PngOptions {
   float exposure_stops = 0;
+  ToneCurve curve = ToneCurve::Clip;
 
   [[nodiscard]] friend bool operator==(const PngOptions&, const PngOptions&) = default;
 };
@@ -175,18 +178,14 @@ inline void append_to_stream(void* stream, void* data, int size) {
                                           [&](std::uint8_t sample) { return table[sample]; });
 }
 
-/// Writes an 8-bit sRGB PNG, in one step: see replace_file. Colors are clamped to [0, 1]; NaN becomes black.
+/// Writes an 8-bit sRGB PNG, in one step: see replace_file. What the curve leaves outside [0, 1] is clamped; NaN
+/// becomes black.
 ///
-/// Ensures:  read_ldr gives each color in [0, 1] back within half a step of 1/255 in sRGB.
+/// Ensures:  without exposure and curve, read_ldr gives each color in [0, 1] back within half a step of 1/255 in sRGB.
 /// Errors:   IoError where the image is empty or the file cannot be written.
 inline void write_png(const Image& image, const std::filesystem::path& path, const PngOptions& options = {}) {
   if (image.empty()) throw IoError(path, "cannot be written: the image is empty");
-  const float scale = std::exp2(options.exposure_stops);
-  std::vector<std::uint8_t> samples;
-  samples.reserve(3 * image.pixels().size());
-  for (const Rgb& pixel : image.pixels()) {
-    for (const float value : {pixel.r, pixel.g, pixel.b}) samples.push_back(encode_srgb8(scale * value));
-  }
+  const auto samples = to_srgb8(image, {.exposure = options.exposure_stops, .curve = options.curve});
   replace_file(path, [&](std::ofstream& stream) {
     if (stbi_write_png_to_func(detail::append_to_stream, &stream, image.width(), image.height(), 3, samples.data(),
                                3 * image.width()) == 0) {

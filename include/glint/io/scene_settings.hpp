@@ -12,14 +12,17 @@
 #include <glint/camera/panoramic.hpp>
 #include <glint/camera/perspective.hpp>
 #include <glint/camera/thin_lens.hpp>
+#include <glint/color/tone_curve.hpp>
 #include <glint/core/one_of.hpp>
 #include <glint/film/filter.hpp>
 #include <glint/integrator/ambient_occlusion.hpp>
 #include <glint/integrator/bdpt.hpp>
+#include <glint/integrator/direct.hpp>
 #include <glint/integrator/intersection_test.hpp>
 #include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/normals.hpp>
 #include <glint/integrator/path.hpp>
+#include <glint/integrator/path_limits.hpp>
 #include <glint/io/image_limits.hpp>
 #include <glint/io/json_object.hpp>
 #include <glint/light/point.hpp>
@@ -35,12 +38,13 @@ namespace glint {
 
 using SceneCamera = OneOf<Perspective, ThinLens, Orthographic, Panoramic>;
 using SceneFilter = OneOf<BoxFilter, TentFilter, GaussianFilter, MitchellFilter>;
-using SceneIntegrator = OneOf<IntersectionTest, Path, LightTracer, Bdpt, AmbientOcclusion, Normals>;
+using SceneIntegrator = OneOf<IntersectionTest, Path, Direct, LightTracer, Bdpt, AmbientOcclusion, Normals>;
 using SceneSequence = OneOf<Independent, Stratified, Halton, Sobol, ZSobol>;
 
 struct FilmSettings {
   Vec2i resolution{600, 600};
   SceneFilter filter{};
+  ToneCurve tone = ToneCurve::Clip;  ///< of pictures in 8 bits
 };
 
 struct IntegratorSettings {
@@ -135,6 +139,7 @@ enum class IntegratorKind : std::uint8_t {
   IntersectionTest,
   Path,
   RandomWalk,
+  Direct,
   LightTracer,
   Bdpt,
   AmbientOcclusion,
@@ -142,10 +147,11 @@ enum class IntegratorKind : std::uint8_t {
   Photon
 };
 
-inline constexpr std::array<std::pair<std::string_view, IntegratorKind>, 8> integrator_kinds{
+inline constexpr std::array<std::pair<std::string_view, IntegratorKind>, 9> integrator_kinds{
     {{"intersection_test", IntegratorKind::IntersectionTest},
      {"path", IntegratorKind::Path},
      {"random_walk", IntegratorKind::RandomWalk},
+     {"direct", IntegratorKind::Direct},
      {"light_tracer", IntegratorKind::LightTracer},
      {"bdpt", IntegratorKind::Bdpt},
      {"ambient_occlusion", IntegratorKind::AmbientOcclusion},
@@ -167,13 +173,22 @@ struct IntegratorOptions {
   float roulette;
   float distance;
   LightStrategy strategy;
+  BounceLimits limits;
+  LightClamp clamp;
   Falloff falloff;
 };
+
+[[nodiscard]] inline BounceLimits read_bounce_limits(JsonObject& integrator) {
+  const auto limit = [&](const char* key) { return integrator.integer_or(key, BounceLimits::unlimited, 0); };
+  return {.diffuse = limit("max_diffuse"), .glossy = limit("max_glossy"), .transmissive = limit("max_transmissive")};
+}
 
 [[nodiscard]] inline SceneIntegrator make_integrator(IntegratorKind kind, const IntegratorOptions& options) {
   switch (kind) {
     case IntegratorKind::IntersectionTest:
       return IntersectionTest{.max_depth = options.max_depth, .falloff = options.falloff};
+    case IntegratorKind::Direct:
+      return Direct{.max_depth = options.max_depth, .strategy = options.strategy};
     case IntegratorKind::LightTracer:
       return LightTracer{.max_depth = options.max_depth, .roulette_below = options.roulette};
     case IntegratorKind::Bdpt:
@@ -190,7 +205,9 @@ struct IntegratorOptions {
   const bool walk = kind == IntegratorKind::RandomWalk;
   return Path{.max_depth = options.max_depth,
               .roulette_below = options.roulette,
-              .strategy = walk ? LightStrategy::RandomWalk : options.strategy};
+              .strategy = walk ? LightStrategy::RandomWalk : options.strategy,
+              .limits = options.limits,
+              .clamp = options.clamp};
 }
 
 }  // namespace detail
@@ -199,19 +216,22 @@ struct IntegratorOptions {
 [[nodiscard]] inline IntegratorSettings read_integrator(JsonObject object, bool scene_has_lights) {
   using detail::IntegratorKind;
   const auto kind = detail::choice_or(object, "type", IntegratorKind::Path, detail::integrator_kinds);
-  const bool direct = kind == IntegratorKind::IntersectionTest;
+  const bool test = kind == IntegratorKind::IntersectionTest;
   if (kind == IntegratorKind::Photon) {
     object.source().note(object.pointer() + "/type", "rendered with \"path\", as this integrator is not available");
   }
   IntegratorSettings result;
-  result.samples = object.integer_or("spp", direct ? 8 : 32, 1, 1 << 24);
+  result.samples = object.integer_or("spp", test ? 8 : 32, 1, 1 << 24);
   result.integrator = detail::make_integrator(
-      kind, {.max_depth = object.integer_or("max_depth", direct ? 16 : 12, 1),
+      kind, {.max_depth = object.integer_or("max_depth", test ? 16 : 12, 1),
              .roulette = object.not_negative_or("rr_threshold", 0.1F),
              .distance = object.positive_or("distance", infinity<float>),
              .strategy = detail::choice_or(object, "profile", LightStrategy::Mis, detail::light_strategies),
+             .limits = detail::read_bounce_limits(object),
+             .clamp = {.direct = object.positive_or("clamp_direct", infinity<float>),
+                       .indirect = object.positive_or("clamp_indirect", infinity<float>)},
              .falloff = detail::choice_or(object, "falloff", Falloff::InverseSquare, detail::falloffs)});
-  result.point_lights = detail::read_own_point_lights(object, direct && !scene_has_lights);
+  result.point_lights = detail::read_own_point_lights(object, test && !scene_has_lights);
   object.ignore({"n_photons", "n_iterations", "n_near_photons"});
   object.finish();
   return result;
@@ -256,6 +276,7 @@ inline constexpr std::array<std::pair<std::string_view, FilterKind>, 4> filter_k
     }
   }
   if (const auto filter = object.find("filter")) result.filter = detail::read_filter(JsonObject(*filter));
+  result.tone = detail::choice_or(object, "tone", ToneCurve::Clip, tone_curves);
   object.ignore({"block_side_length"});
   object.finish();
   return result;

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#include <glint/render/render.hpp>
+
+#include "render_job.hpp"
+
+glint::RenderReport render(const RenderJob& job, const glint::Direct& integrator) {
+  return glint::render(job.scene, job.camera, integrator, job.film, job.options, job.executor, job.sequence);
+}
