@@ -91,8 +91,11 @@
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/box.hpp>
 #include <glint/geometry/boxes.hpp>
+#include <glint/geometry/capsule.hpp>
 #include <glint/geometry/clip.hpp>
 #include <glint/geometry/concepts.hpp>
+#include <glint/geometry/cone.hpp>
+#include <glint/geometry/cylinder.hpp>
 #include <glint/geometry/disk.hpp>
 #include <glint/geometry/elements.hpp>
 #include <glint/geometry/hit.hpp>
