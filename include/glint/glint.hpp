@@ -17,9 +17,11 @@
 #include <glint/bsdf/oren_nayar.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
 #include <glint/bsdf/perturbed.hpp>
+#include <glint/bsdf/principled.hpp>
 #include <glint/bsdf/rough_coated_diffuse.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/bsdf/rough_dielectric.hpp>
+#include <glint/bsdf/sheen.hpp>
 #include <glint/bsdf/thin_dielectric.hpp>
 #include <glint/bsdf/two_sided.hpp>
 #include <glint/bvh/brute_force.hpp>

@@ -61,3 +61,21 @@ TEST_CASE("metals: they make conductors, smooth and rough, of which aluminum is 
   CHECK(glint::Conductor{} == glint::Conductor{.eta = metals::aluminum.eta, .k = metals::aluminum.k});
   CHECK(glint::RoughConductor<glint::Ggx>{}.k == metals::aluminum.k);
 }
+
+TEST_CASE("metals: a metal of a color reflects it straight on", "[bsdf][metals]") {
+  const Rgb color{0.95F, 0.5F, 0.02F};
+  const Metal metal = glint::metal_of_color(color);
+  const Rgb seen = glint::fresnel_conductor(1.0F, metal.eta, metal.k);
+  CHECK(seen.r == Approx(color.r).epsilon(1e-4));
+  CHECK(seen.g == Approx(color.g).epsilon(1e-4));
+  CHECK(seen.b == Approx(color.b).epsilon(1e-4));
+}
+
+TEST_CASE("metals: the least and the most that a metal of a color reflects are a thousandth off", "[bsdf][metals]") {
+  const auto reflected = [](const Rgb& color) {
+    const Metal metal = glint::metal_of_color(color);
+    return double{glint::fresnel_conductor(1.0F, metal.eta, metal.k).r};
+  };
+  CHECK(reflected(Rgb{0}) == Approx(0.001).epsilon(1e-3));
+  CHECK(reflected(Rgb{1}) == Approx(0.999).margin(1e-4));
+}

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include <glint/color/rgb.hpp>
 
 namespace glint {
@@ -34,5 +37,25 @@ inline constexpr Metal titanium{{2.741F, 2.542F, 2.267F}, {3.814F, 3.435F, 3.038
 inline constexpr Metal tungsten{{3.671F, 3.522F, 3.315F}, {2.932F, 2.741F, 2.516F}};
 
 }  // namespace metals
+
+/// A metal that reflects a color where it is seen straight on.
+///
+/// A reflectance r belongs to a curve of indices; the one taken is the geometric mean of the curve's least and greatest
+/// eta, (1 + √r) / √(1 + r), close to aluminum's.
+///
+/// Requires: 0 ≤ color ≤ 1; held to [0.001, 0.999]: a metal that reflects nothing is air, and one that reflects all has
+///           no index.
+/// Source:   the curve: Gulbrandsen, "Artist Friendly Metallic Fresnel", JCGT 3(4), 2014, where users choose on it.
+[[nodiscard]] inline Metal metal_of_color(const Rgb& color) noexcept {
+  Metal result;
+  for (float Rgb::*const channel : {&Rgb::r, &Rgb::g, &Rgb::b}) {
+    const float r = std::clamp(color.*channel, 1e-3F, 0.999F);
+    const float eta = (1.0F + std::sqrt(r)) / std::sqrt(1.0F + r);
+    const float above = r * (eta + 1.0F) * (eta + 1.0F) - (eta - 1.0F) * (eta - 1.0F);
+    result.eta.*channel = eta;
+    result.k.*channel = std::sqrt(std::max(0.0F, above) / (1.0F - r));
+  }
+  return result;
+}
 
 }  // namespace glint
