@@ -178,6 +178,7 @@
 #include <glint/material/concepts.hpp>
 #include <glint/material/material_table.hpp>
 #include <glint/material/normal_map.hpp>
+#include <glint/material/opacity.hpp>
 #include <glint/material/textured.hpp>
 #include <glint/material/two_sided.hpp>
 #include <glint/math/affine.hpp>
