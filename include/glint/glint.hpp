@@ -58,8 +58,10 @@
 #include <glint/bvh/pass/validate.hpp>
 #include <glint/bvh/query/hits.hpp>
 #include <glint/bvh/query/nearest.hpp>
+#include <glint/bvh/query/overlap.hpp>
 #include <glint/bvh/query/packet.hpp>
 #include <glint/bvh/query/ray.hpp>
+#include <glint/bvh/query/region.hpp>
 #include <glint/bvh/query/triangle_block.hpp>
 #include <glint/bvh/ray_batch.hpp>
 #include <glint/bvh/traverse.hpp>
@@ -103,12 +105,14 @@
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/mesh_buffers.hpp>
 #include <glint/geometry/offset.hpp>
+#include <glint/geometry/overlap.hpp>
 #include <glint/geometry/quad.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_box.hpp>
 #include <glint/geometry/ray_packet.hpp>
 #include <glint/geometry/ray_triangle.hpp>
 #include <glint/geometry/ray_triangle_pack.hpp>
+#include <glint/geometry/region.hpp>
 #include <glint/geometry/set/filtered.hpp>
 #include <glint/geometry/set/instanced.hpp>
 #include <glint/geometry/set/joined.hpp>

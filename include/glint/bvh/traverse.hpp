@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include <glint/bvh/concepts.hpp>
@@ -15,6 +16,17 @@
 
 namespace glint {
 namespace detail {
+
+/// What a visitor says, where one that returns nothing wants to go on.
+template <typename Visit, typename... Args>
+GLINT_ALWAYS_INLINE Walk visited(const Visit& visit, const Args&... args) {
+  if constexpr (std::same_as<std::invoke_result_t<const Visit&, const Args&...>, void>) {
+    visit(args...);
+    return Walk::Continue;
+  } else {
+    return visit(args...);
+  }
+}
 
 template <std::floating_point T, std::unsigned_integral I>
 struct Pending {

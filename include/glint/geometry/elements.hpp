@@ -71,6 +71,12 @@ class Elements {
   /// Requires: i < size().
   [[nodiscard]] constexpr const P& operator[](Index i) const noexcept { return primitives_[i]; }
 
+  /// f(primitive), as sets of primitives of several types have it.
+  template <typename F>
+  constexpr auto with_primitive(Index i, const F& f) const {
+    return f(primitives_[i]);
+  }
+
   [[nodiscard]] Aabb<Scalar> bounds(Index i) const { return detail::bounds_of(primitives_[i]); }
 
   [[nodiscard]] Aabb<Scalar> clip(Index i, const Aabb<Scalar>& cell) const requires(ClippablePrimitive<P>) {

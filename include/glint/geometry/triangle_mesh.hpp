@@ -45,6 +45,10 @@ struct TriangleMesh {
     const auto [v0, v1, v2] = vertices(i);
     return {v0, v1, v2};
   }
+  template <typename F>
+  auto with_primitive(Index i, const F& f) const {
+    return f(triangle(i));
+  }
 
   [[nodiscard]] Aabb<T> bounds(Index i) const noexcept {
     Aabb<T> box;

@@ -259,6 +259,9 @@ class TriangleBlocks {
     return false;
   }
 
+  [[nodiscard]] std::span<const Block> blocks(Slots<Index> slots) const noexcept {
+    return {blocks_.data() + slots.first, slots.count};
+  }
   template <typename F>
   GLINT_ALWAYS_INLINE Walk for_each_primitive(Slots<Index> slots, const F& f) const {
     return for_each_in_blocks(blocks(slots), f);
@@ -318,9 +321,6 @@ class TriangleBlocks {
   [[nodiscard]] std::size_t bytes() const noexcept { return blocks_.size() * sizeof(Block); }
 
  private:
-  [[nodiscard]] std::span<const Block> blocks(Slots<Index> slots) const noexcept {
-    return {blocks_.data() + slots.first, slots.count};
-  }
   [[nodiscard]] static constexpr std::size_t blocks_for(std::size_t count) noexcept {
     return (count + std::size_t(N) - 1) / std::size_t(N);
   }

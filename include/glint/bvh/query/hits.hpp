@@ -22,17 +22,6 @@
 namespace glint {
 namespace detail {
 
-/// What a visitor says, where one that returns nothing wants to go on.
-template <typename Visit, typename... Args>
-GLINT_ALWAYS_INLINE Walk visited(const Visit& visit, const Args&... args) {
-  if constexpr (std::same_as<std::invoke_result_t<const Visit&, const Args&...>, void>) {
-    visit(args...);
-    return Walk::Continue;
-  } else {
-    return visit(args...);
-  }
-}
-
 /// The order of all hits along a ray, that of is_closer first.
 template <std::floating_point T, std::unsigned_integral I>
 [[nodiscard]] constexpr bool precedes(const Hit<T, I>& a, const Hit<T, I>& b) noexcept {

@@ -45,6 +45,11 @@ class Filtered {
   [[nodiscard]] bool accepts(const Ray<Scalar>& ray, const Hit<Scalar, Index>& hit) const { return accept_(ray, hit); }
 
   [[nodiscard]] Aabb<Scalar> bounds(Index i) const { return set_.bounds(i); }
+  /// Whole primitives: the filter is for rays.
+  template <typename F>
+  auto with_primitive(Index i, const F& f) const requires(requires(const S& set) { set.with_primitive(i, f); }) {
+    return set_.with_primitive(i, f);
+  }
   [[nodiscard]] Aabb<Scalar> clip(Index i, const Aabb<Scalar>& cell) const requires(ClippableSet<S>) {
     return set_.clip(i, cell);
   }

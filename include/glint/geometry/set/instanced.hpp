@@ -100,6 +100,10 @@ class Instanced {
   /// Requires: i < size().
   [[nodiscard]] const Instance<G>& operator[](Index i) const noexcept { return instances_[i]; }
   [[nodiscard]] Aabb<Scalar> bounds(Index i) const noexcept { return instances_[i].bounds; }
+  template <typename F>
+  auto with_primitive(Index i, const F& f) const {
+    return f(instances_[i]);
+  }
 
   [[nodiscard]] std::optional<Hit<Scalar, Index>> intersect(const Ray<Scalar>& ray, Index i) const {
     const Instance<G>& instance = instances_[i];

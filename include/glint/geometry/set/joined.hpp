@@ -58,6 +58,17 @@ class Joined {
     return dispatch(i, []<std::size_t N>(Number<N>, const auto& set, auto local) { return set.bounds(local); });
   }
 
+  /// Shows element i to `f(primitive)`; of a set that does not hand out its primitives, the box.
+  template <typename F>
+  auto with_primitive(Index i, const F& f) const {
+    return dispatch(i, [&]<std::size_t N>(Number<N>, const auto& set, auto local) {
+      if constexpr (requires { set.with_primitive(local, f); })
+        return set.with_primitive(local, f);
+      else
+        return f(set.bounds(local));
+    });
+  }
+
   /// Of sets that cannot clip, the part of the box.
   [[nodiscard]] Aabb<Scalar> clip(Index i, const Aabb<Scalar>& cell) const requires(ClippableSet<Sets> || ...) {
     return dispatch(i, [&]<std::size_t N>(Number<N>, const auto& set, auto local) {
