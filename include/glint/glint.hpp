@@ -68,6 +68,7 @@
 #include <glint/bvh/tree.hpp>
 #include <glint/camera/concepts.hpp>
 #include <glint/camera/importance.hpp>
+#include <glint/camera/neighbor_rays.hpp>
 #include <glint/camera/orthographic.hpp>
 #include <glint/camera/panoramic.hpp>
 #include <glint/camera/perspective.hpp>
@@ -109,6 +110,7 @@
 #include <glint/geometry/quad.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_box.hpp>
+#include <glint/geometry/ray_differential.hpp>
 #include <glint/geometry/ray_packet.hpp>
 #include <glint/geometry/ray_triangle.hpp>
 #include <glint/geometry/ray_triangle_pack.hpp>
@@ -209,15 +211,20 @@
 #include <glint/scene/concepts.hpp>
 #include <glint/scene/counted.hpp>
 #include <glint/scene/interaction.hpp>
+#include <glint/scene/path_footprint.hpp>
 #include <glint/scene/scene.hpp>
 #include <glint/simd/pack.hpp>
 #include <glint/texture/any_texture.hpp>
 #include <glint/texture/checkerboard.hpp>
 #include <glint/texture/concepts.hpp>
 #include <glint/texture/constant.hpp>
+#include <glint/texture/ewa.hpp>
+#include <glint/texture/filtered_image_texture.hpp>
 #include <glint/texture/image_texture.hpp>
 #include <glint/texture/mapping.hpp>
+#include <glint/texture/mip_map.hpp>
 #include <glint/texture/mix.hpp>
 #include <glint/texture/noise.hpp>
 #include <glint/texture/triplanar.hpp>
+#include <glint/texture/uv_footprint.hpp>
 #include <glint/version.hpp>

@@ -17,6 +17,8 @@ TEST_CASE("surface: a cast keeps every member", "[geometry][surface]") {
                             .normal = {0, 1, 0},
                             .shading_normal = {1, 0, 0},
                             .tangent = {0, 0, 2},
-                            .uv = {0.25, 0.75}};
+                            .bitangent = {0, 3, 0},
+                            .uv = {0.25, 0.75},
+                            .footprint = {{1, 0, 0}, {0, 0, 0.5}}};
   CHECK(glint::surface_cast<double>(glint::surface_cast<float>(s)) == s);  // all are floats
 }

@@ -84,6 +84,7 @@ TEMPLATE_TEST_CASE("mesh: views any vertex layout and either width of indices", 
   const auto s = mesh.surface(ray, *hit);
   CHECK(s.uv == Vec2<T>{T(1.5), T(0.5)});         // uv = (x, y) at every vertex, hence everywhere
   CHECK(s.tangent == Vec3<T>{T(1), T(0), T(0)});  // so u grows along x, at rate 1
+  CHECK(s.bitangent == Vec3<T>{T(0), T(1), T(0)});
   CHECK(s.position == Vec3<T>{T(1.5), T(0.5), T(0)});
 }
 
@@ -114,18 +115,20 @@ TEMPLATE_TEST_CASE("mesh: the shading normal is interpolated, where vertices hav
   CHECK(view(buffers).surface(ray, *hit).shading_normal == s.normal);
 }
 
-TEMPLATE_TEST_CASE("mesh: the tangent follows the uvs, and is zero where they span no area",
+TEMPLATE_TEST_CASE("mesh: the tangents follow the uvs, and are zero where they span no area",
                    "[geometry][triangle_mesh]", float, double) {
   using T = TestType;
   MeshBuffers<T> buffers = square<T>();
   const Ray<T> ray = down_to(T(1.5), T(0.5));
   const auto hit = view(buffers).intersect(ray, 0);
   REQUIRE(hit);
-  // u = y / 4, v = −x: the position moves by 4 along y as u grows by 1 and v stays.
+  // u = y / 4, v = −x: the position moves by 4 along y as u grows by 1 and v stays, and along −x as v grows.
   for (const Vec3<T>& p : buffers.positions) buffers.uvs.push_back({p.y / T(4), -p.x});
   CHECK(view(buffers).surface(ray, *hit).tangent == Vec3<T>{T(0), T(4), T(0)});
+  CHECK(view(buffers).surface(ray, *hit).bitangent == Vec3<T>{T(-1), T(0), T(0)});
   for (Vec2<T>& uv : buffers.uvs) uv.y = uv.x;
   CHECK(view(buffers).surface(ray, *hit).tangent == Vec3<T>(T(0)));
+  CHECK(view(buffers).surface(ray, *hit).bitangent == Vec3<T>(T(0)));
   buffers.uvs.assign(4, Vec2<T>(T(0.5)));
   CHECK(view(buffers).surface(ray, *hit).tangent == Vec3<T>(T(0)));
   CHECK(view(buffers).surface(ray, *hit).uv == Vec2<T>(T(0.5)));

@@ -127,6 +127,13 @@ glint::Surface surface(const TangentOffPlane& p, const Vec3& position) {
   return at;
 }
 
+struct BitangentMirrored : Base {};
+glint::Surface surface(const BitangentMirrored& p, const Vec3& position) {
+  auto at = surface(p.sphere, position);
+  at.bitangent = -at.bitangent;
+  return at;
+}
+
 struct WrongArea : Base {};
 float area(const WrongArea& p) {
   return area(p.sphere) * 1.2F;
@@ -208,6 +215,7 @@ TEST_CASE("primitive laws: shading data must be sound", "[testing][laws]") {
   CHECK(names(broken(MovedPosition{}), "the surface's position is the ray's point"));
   CHECK(names(broken(WideError{}), "the position's error bound is a few roundings"));
   CHECK(names(broken(TangentOffPlane{}), "tangents are perpendicular to normals"));
+  CHECK(names(broken(BitangentMirrored{}), "tangents say how texture coordinates change"));
 }
 
 TEST_CASE("primitive laws: area, samples and densities must agree with what rays find", "[testing][laws]") {

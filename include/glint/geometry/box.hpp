@@ -120,6 +120,7 @@ template <std::floating_point T>
           .normal = normal,
           .shading_normal = normal,
           .tangent = with_component(Vec3<T>(T(0)), u_axis, component(box.upper - box.lower, u_axis)),
+          .bitangent = with_component(Vec3<T>(T(0)), v_axis, component(box.upper - box.lower, v_axis)),
           .uv = {fraction(u_axis), fraction(v_axis)}};
 }
 

@@ -130,12 +130,16 @@ template <std::floating_point T>
   const T off = (axis.height + radius) * rounding_bound<T>(24) + max_component(abs(position)) * rounding_bound<T>(2);
   const T arc = radius * std::acos(std::clamp(-local_normal.z, T(-1), T(1)));  // along both half spheres
   const Vec3<T> around = frame.y * local_normal.x - frame.x * local_normal.y;
+  const T squared_sine = length_squared(around);
+  const T profile = pi<T> * radius + axis.height;
+  const T to_profile = squared_sine > T(0) ? profile / std::sqrt(squared_sine) : T(0);
   return {.position = position,
           .position_error = Vec3<T>(off),
           .normal = normal,
           .shading_normal = normal,
           .tangent = around * (T(2) * pi<T> * radius),
-          .uv = {turns_of(local_normal.x, local_normal.y), (arc + z) / (pi<T> * radius + axis.height)}};
+          .bitangent = glm::cross(normal, around) * to_profile,
+          .uv = {turns_of(local_normal.x, local_normal.y), (arc + z) / profile}};
 }
 
 }  // namespace detail

@@ -195,13 +195,15 @@ template <std::floating_point T>
   const T size = profile.height + std::max(cone.base_radius, cone.top_radius);
   const T off = size * rounding_bound<T>(24) + max_component(abs(position)) * rounding_bound<T>(2);
   const T turns = turns_of(angle.x, angle.y);
+  const Vec3<T> around = (frame.y * angle.x - frame.x * angle.y) * (T(2) * pi<T> * distance);
   if (part == ConeSide) {
     const Vec3<T> normal = glm::normalize(outward - frame.z * profile.slope);
     return {.position = position,
             .position_error = Vec3<T>(off),
             .normal = normal,
             .shading_normal = normal,
-            .tangent = (frame.y * angle.x - frame.x * angle.y) * (T(2) * pi<T> * distance),
+            .tangent = around,
+            .bitangent = (outward * profile.slope + frame.z) * profile.height,
             .uv = {turns, z / profile.height}};
   }
   const T radius = part == ConeBase ? cone.base_radius : cone.top_radius;
@@ -211,6 +213,7 @@ template <std::floating_point T>
           .normal = normal,
           .shading_normal = normal,
           .tangent = outward * radius,
+          .bitangent = around,
           .uv = {radius > T(0) ? std::min(distance / radius, T(1)) : T(0), turns}};
 }
 

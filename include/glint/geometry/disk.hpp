@@ -67,6 +67,7 @@ template <std::floating_point T>
           .normal = frame.z,
           .shading_normal = frame.z,
           .tangent = distance > T(0) ? local * (disk.radius / distance) : frame.x * disk.radius,
+          .bitangent = glm::cross(frame.z, local) * (T(2) * pi<T>),
           .uv = uv};
 }
 

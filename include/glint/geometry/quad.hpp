@@ -85,6 +85,7 @@ template <std::floating_point T>
           .normal = normal,
           .shading_normal = normal,
           .tangent = quad.edge_u,
+          .bitangent = quad.edge_v,
           .uv = uv};
 }
 

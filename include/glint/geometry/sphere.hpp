@@ -92,6 +92,7 @@ template <std::floating_point T>
           .normal = normal,
           .shading_normal = normal,
           .tangent = Vec3<T>(normal.z * cos_phi, normal.z * sin_phi, -sin_theta) * (pi<T> * sphere.radius),
+          .bitangent = Vec3<T>(-outward.y, outward.x, T(0)) * (T(2) * pi<T>),
           .uv = uv};
 }
 

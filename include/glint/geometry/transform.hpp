@@ -67,6 +67,7 @@ template <std::floating_point T>
           .normal = transform_normal(to_local, local.normal),
           .shading_normal = transform_normal(to_local, local.shading_normal),
           .tangent = to_world.vector(local.tangent),
+          .bitangent = to_world.vector(local.bitangent),
           .uv = local.uv};
 }
 

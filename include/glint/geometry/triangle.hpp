@@ -104,6 +104,7 @@ template <std::floating_point T>
   if (length > T(0)) s.normal = frame.cross * inverse;
   s.shading_normal = s.normal;
   s.tangent = frame.e1;
+  s.bitangent = frame.e2 - frame.e1;
   s.uv = {w1 + w2, w2};
   return s;
 }

@@ -75,8 +75,8 @@ struct TriangleMesh {
     return intersect(ray, prepare(ray), i);
   }
 
-  /// The shading normal is interpolated where there are normals; uv and tangent follow the uvs where there are any,
-  /// else they are the triangle's own. The tangent is zero where the uvs span no area.
+  /// The shading normal is interpolated where there are normals; uv and tangents follow the uvs where there are any,
+  /// else they are the triangle's own. The tangents are zero where the uvs span no area.
   [[nodiscard]] GLINT_ALWAYS_INLINE SurfaceOf<T> surface(const Ray<T>& /*ray*/, const Hit<T>& hit) const noexcept {
     const Index i = hit.primitive;
     const Triangle<T> shape = triangle(i);
@@ -95,7 +95,7 @@ struct TriangleMesh {
       const Vec2<T> uv = uv0 * w0 + uv1 * w1 + uv2 * w2;
       if (std::isnan(uv.x)) return s;
       s.uv = uv;
-      s.tangent = tangent(shape, uv1 - uv0, uv2 - uv0);
+      set_tangents(s, shape, uv1 - uv0, uv2 - uv0);
     }
     return s;
   }
@@ -107,10 +107,14 @@ struct TriangleMesh {
     return {of[at[0]], of[at[1]], of[at[2]]};
   }
 
-  [[nodiscard]] static Vec3<T> tangent(const Triangle<T>& t, const Vec2<T>& d1, const Vec2<T>& d2) noexcept {
+  static void set_tangents(SurfaceOf<T>& s, const Triangle<T>& t, const Vec2<T>& d1, const Vec2<T>& d2) noexcept {
     const T inverse = T(1) / (d1.x * d2.y - d1.y * d2.x);
-    const Vec3<T> along_u = ((t.v1 - t.v0) * d2.y - (t.v2 - t.v0) * d1.y) * inverse;
-    return is_finite(along_u) ? along_u : Vec3<T>(T(0));
+    const Vec3<T> e1 = t.v1 - t.v0;
+    const Vec3<T> e2 = t.v2 - t.v0;
+    const Vec3<T> along_u = (e1 * d2.y - e2 * d1.y) * inverse;
+    const Vec3<T> along_v = (e2 * d1.x - e1 * d2.x) * inverse;
+    s.tangent = is_finite(along_u) ? along_u : Vec3<T>(T(0));
+    s.bitangent = is_finite(along_v) ? along_v : Vec3<T>(T(0));
   }
 };
 

@@ -18,6 +18,7 @@
 #include <glint/integrator/path_densities.hpp>
 #include <glint/integrator/roulette.hpp>
 #include <glint/light/concepts.hpp>
+#include <glint/scene/path_footprint.hpp>
 
 namespace glint {
 
@@ -51,8 +52,9 @@ class PreparedBdpt {
         roulette_below_(options.roulette_below),
         emitters_(std::move(emitters)) {}
 
-  template <SceneLike S, Sampler R, RayGenerator G, typename Splat>
-  [[nodiscard]] Rgb radiance(const S& scene, Ray<float> ray, R& sampler, const G& camera, const Splat& splat) const {
+  template <SceneLike S, Sampler R, RayGenerator G, typename Splat, typename F = NoFootprint>
+  [[nodiscard]] Rgb radiance(const S& scene, Ray<float> ray, R& sampler, const G& camera, const Splat& splat,
+                             F footprint = {}) const {
     using At = std::remove_cvref_t<decltype(*scene.interact(ray))>;
     FixedStack<Vertex<At>, Bdpt::deepest> light_path;
     trace_light(scene, sampler, camera, splat, light_path);
@@ -61,7 +63,7 @@ class PreparedBdpt {
     Rgb sum;
     Arrival arrival{.from = ray.origin};
     for (; arrival.segments <= max_depth_; ++arrival.segments) {
-      const auto at = scene.interact(ray);
+      const auto at = interact(scene, ray, footprint);
       if (!at) return sum + throughput * found_background(scene, ray.direction, arrival);
       if (!arrive(arrival, camera, ray, *at)) break;
       const Vertex<At> vertex{*at, at->to_local(at->wo), throughput, arrival.densities};
@@ -79,6 +81,7 @@ class PreparedBdpt {
       arrival.from = at->surface.position;
       arrival.normal = at->frame.z;
       ray = at->leave(direction);
+      footprint.scatter(*at, *scattered, direction);
     }
     return sum;
   }

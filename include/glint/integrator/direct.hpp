@@ -2,6 +2,7 @@
 #pragma once
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/light_search.hpp>
+#include <glint/scene/path_footprint.hpp>
 
 namespace glint {
 
@@ -16,14 +17,14 @@ struct Direct {
   int max_depth = 12;  ///< segments from camera to light, as in Path: 2 follows no specular lobe to a lit surface
   LightStrategy strategy = LightStrategy::Mis;
 
-  template <SceneLike S, Sampler R>
-  [[nodiscard]] Rgb radiance(const S& scene, Ray<float> ray, R& sampler) const {
+  template <SceneLike S, Sampler R, typename F = NoFootprint>
+  [[nodiscard]] Rgb radiance(const S& scene, Ray<float> ray, R& sampler, F footprint = {}) const {
     const LightSearch search{strategy};
     Rgb throughput{1};
     Rgb sum;
     Arrival arrival;
     for (int last = max_depth, segments = 1; segments <= last; ++segments) {
-      const auto at = scene.interact(ray);
+      const auto at = interact(scene, ray, footprint);
       if (!at) return sum + throughput * search.found_background(scene, ray.direction, arrival);
       if (at->light < scene.light_count()) sum += throughput * search.found_light(scene, *at, arrival);
       if (segments == last) break;
@@ -41,6 +42,7 @@ struct Direct {
       throughput *= scattered->weight;
       arrival = {at->surface.position, at->frame.z, scattered->pdf, next_event && !specular};
       ray = at->leave(at->to_world(scattered->wi));
+      footprint.scatter(*at, *scattered, ray.direction);
     }
     return sum;
   }

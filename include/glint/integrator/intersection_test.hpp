@@ -5,6 +5,7 @@
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/direct_light.hpp>
 #include <glint/light/concepts.hpp>
+#include <glint/scene/path_footprint.hpp>
 
 namespace glint {
 
@@ -21,12 +22,12 @@ struct IntersectionTest {
   int max_depth = 16;  ///< surfaces met along a path, the shaded one included
   Falloff falloff = Falloff::InverseSquare;
 
-  template <SceneLike S, Sampler R>
-  [[nodiscard]] Rgb radiance(const S& scene, Ray<float> ray, R& sampler) const {
+  template <SceneLike S, Sampler R, typename F = NoFootprint>
+  [[nodiscard]] Rgb radiance(const S& scene, Ray<float> ray, R& sampler, F footprint = {}) const {
     Rgb throughput{1};
     Rgb sum;
     for (int depth = 0; depth < max_depth; ++depth) {
-      const auto at = scene.interact(ray);
+      const auto at = interact(scene, ray, footprint);
       if (!at) return sum + throughput * scene.background(ray.direction);
       if (at->light < scene.light_count()) sum += throughput * emission(scene.light(at->light), at->surface, at->wo);
       if (!at->bsdf.is_specular()) return sum + throughput * direct(scene, *at, sampler);
@@ -36,6 +37,7 @@ struct IntersectionTest {
       if (!scattered) return sum;
       throughput *= scattered->weight;
       ray = at->leave(at->to_world(scattered->wi));
+      footprint.scatter(*at, *scattered, ray.direction);
     }
     return sum;
   }

@@ -5,6 +5,7 @@
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/light_search.hpp>
 #include <glint/integrator/path_limits.hpp>
+#include <glint/scene/path_footprint.hpp>
 
 namespace glint {
 
@@ -18,27 +19,29 @@ struct Path {
   BounceLimits limits{};  ///< none by default
   LightClamp clamp{};     ///< off by default
 
-  template <SceneLike S, Sampler R>
-  [[nodiscard]] Rgb radiance(const S& scene, const Ray<float>& ray, R& sampler) const {
+  template <SceneLike S, Sampler R, typename F = NoFootprint>
+  [[nodiscard]] Rgb radiance(const S& scene, const Ray<float>& ray, R& sampler, const F& footprint = {}) const {
     Rgb sum;
     if (clamp.is_on()) {
-      for_each_light(scene, ray, sampler, [&](const Rgb& light, int segments) { sum += clamp(light, segments); });
+      const auto bring = [&](const Rgb& light, int segments) { sum += clamp(light, segments); };
+      for_each_light(scene, ray, sampler, bring, footprint);
     } else {
-      for_each_light(scene, ray, sampler, [&](const Rgb& light, int /*segments*/) { sum += light; });
+      const auto bring = [&](const Rgb& light, int /*segments*/) { sum += light; };
+      for_each_light(scene, ray, sampler, bring, footprint);
     }
     return sum;
   }
 
   /// The terms of `radiance` in the order of their sum, not clamped: calls bring(light, segments) with what each path
   /// brings.
-  template <SceneLike S, Sampler R, typename F>
-  void for_each_light(const S& scene, Ray<float> ray, R& sampler, const F& bring) const {
+  template <SceneLike S, Sampler R, typename Bring, typename F = NoFootprint>
+  void for_each_light(const S& scene, Ray<float> ray, R& sampler, const Bring& bring, F footprint = {}) const {
     const LightSearch search{strategy};
     BounceLimits left = limits;
     Rgb throughput{1};
     Arrival arrival;
     for (int last = max_depth, segments = 1; segments <= last; ++segments) {
-      const auto at = scene.interact(ray);
+      const auto at = interact(scene, ray, footprint);
       if (!at) {
         return bring(throughput * search.found_background(scene, ray.direction, arrival), segments);
       }
@@ -59,6 +62,7 @@ struct Path {
       if (!left.take(wo, *scattered)) last = segments + 1;
       arrival = {at->surface.position, at->frame.z, scattered->pdf, next_event && scattered->lobe != Lobe::Specular};
       ray = at->leave(at->to_world(scattered->wi));
+      footprint.scatter(*at, *scattered, ray.direction);
     }
   }
 

@@ -14,7 +14,11 @@ struct RenderProgress {
 };
 
 struct RenderOptions {
-  int samples = 16;    ///< camera paths a pixel
+  int samples = 16;  ///< camera paths a pixel
+  /// How wide paths are that start at the camera: 1 is their share of the pixel (but an eighth of it at least), 0
+  /// leaves textures unfiltered. Without effect, and without cost, where no texture of the scene can be filtered.
+  float footprint = 1;
+
   int tile_size = 32;  ///< edge of the squares that are handed to threads, in pixels; rounded up to whole film blocks
 
   /// Called after each tile, one call at a time, from whichever thread finished it. It should be quick.

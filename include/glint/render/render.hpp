@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include <glint/camera/concepts.hpp>
+#include <glint/camera/neighbor_rays.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/film/film.hpp>
 #include <glint/film/splats.hpp>
@@ -19,6 +21,7 @@
 #include <glint/sampler/concepts.hpp>
 #include <glint/sampler/independent.hpp>
 #include <glint/scene/counted.hpp>
+#include <glint/scene/path_footprint.hpp>
 
 namespace glint {
 
@@ -44,28 +47,50 @@ struct RenderTask {
     if (options.stop.stop_requested()) return false;
     const Counted counted{scene, report.rays};
     const Vec2<float> scale = Vec2<float>(1) / Vec2<float>(film_size);
+    const Vec2<float> step = scale * footprint_width();
     for (int sample = 0; sample < options.samples; ++sample) {
       auto sampler = sequence.stream(pixel, sample);
       const Vec2<float> jitter = sampler.next_2d();
       const Vec2<float> lens = sampler.next_2d();
       const Vec2<float> at = Vec2<float>(pixel) + jitter;
-      const Ray<float> ray = generator.ray(Vec2<float>{at.x * scale.x, 1 - at.y * scale.y}, lens);
-      const Rgb value = radiance(counted, ray, sampler, report);
+      const Vec2<float> film{at.x * scale.x, 1 - at.y * scale.y};
+      const Rgb value = radiance(counted, generator.ray(film, lens), sampler, report, footprint(film, lens, step));
       report.dropped += block.add(at, value) ? 0U : 1U;
     }
     report.samples += static_cast<std::uint64_t>(options.samples);
     return true;
   }
 
-  template <typename R>
-  [[nodiscard]] Rgb radiance(const Counted<S>& counted, const Ray<float>& ray, R& sampler, RenderReport& report) const {
+  /// How much of a pixel one of its paths stands for, across and up.
+  [[nodiscard]] float footprint_width() const noexcept {
+    return options.footprint * std::max(0.125F, 1 / std::sqrt(static_cast<float>(std::max(1, options.samples))));
+  }
+
+  /// The footprint with which a path starts: none where the scene does not ask.
+  [[nodiscard]] auto footprint(const Vec2<float>& film, const Vec2<float>& lens, const Vec2<float>& step) const {
+    if constexpr (FilteringScene<S>) {
+      return options.footprint > 0 ? PathFootprint(ray_differential(generator, film, lens, step)) : PathFootprint();
+    } else {
+      return NoFootprint{};
+    }
+  }
+
+  template <typename R, typename P>
+  [[nodiscard]] Rgb radiance(const Counted<S>& counted, const Ray<float>& ray, R& sampler, RenderReport& report,
+                             const P& path) const {
     if constexpr (splats) {
       const auto splat = [&](const Vec2<float>& film, const Rgb& value) {
         const Vec2i pixel = Vec2i(Vec2<float>{film.x, 1 - film.y} * Vec2<float>(film_size));
         const Vec2i in_image{std::min(pixel.x, film_size.x - 1), std::min(pixel.y, film_size.y - 1)};
         report.dropped += splats_to->add(in_image, value) ? 0U : 1U;
       };
-      return integrator.radiance(counted, ray, sampler, generator, splat);
+      if constexpr (requires { integrator.radiance(counted, ray, sampler, generator, splat, path); }) {
+        return integrator.radiance(counted, ray, sampler, generator, splat, path);
+      } else {
+        return integrator.radiance(counted, ray, sampler, generator, splat);
+      }
+    } else if constexpr (requires { integrator.radiance(counted, ray, sampler, path); }) {
+      return integrator.radiance(counted, ray, sampler, path);
     } else {
       return integrator.radiance(counted, ray, sampler);
     }

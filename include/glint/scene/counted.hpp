@@ -4,6 +4,7 @@
 #include <span>
 
 #include <glint/scene/concepts.hpp>
+#include <glint/scene/path_footprint.hpp>
 
 namespace glint {
 
@@ -12,12 +13,18 @@ namespace glint {
 /// Threads: one counter each; the scene itself is shared.
 template <SceneLike S>
 struct Counted {
+  static constexpr bool asks_for_footprints = FilteringScene<S>;
+
   const S& scene;
   std::uint64_t& rays;
 
   [[nodiscard]] auto interact(const Ray<float>& ray) const {
     ++rays;
     return scene.interact(ray);
+  }
+  [[nodiscard]] auto interact(const Ray<float>& ray, const PathFootprint& footprint) const requires(FilteringScene<S>) {
+    ++rays;
+    return scene.interact(ray, footprint);
   }
   [[nodiscard]] bool occluded(const Ray<float>& ray) const {
     ++rays;

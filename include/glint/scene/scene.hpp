@@ -18,6 +18,8 @@
 #include <glint/material/concepts.hpp>
 #include <glint/scene/concepts.hpp>
 #include <glint/scene/interaction.hpp>
+#include <glint/scene/path_footprint.hpp>
+#include <glint/texture/concepts.hpp>
 
 namespace glint {
 
@@ -43,6 +45,8 @@ class Scene {
  public:
   using Bsdf = BsdfOf<Materials>;
   using Scalar = typename Geometry::Scalar;
+  /// Whether a texture among the materials can be filtered; then `interact` takes footprints, too.
+  static constexpr bool asks_for_footprints = glint::asks_for_footprints<Materials>;
 
   explicit Scene(Geometry geometry, Materials materials = {}, Lights<L> lights = {},
                  std::type_identity<Choice> /*choose_by*/ = {})
@@ -61,6 +65,12 @@ class Scene {
 
   /// The closest surface on the ray. Bsdf and frame are worked out there; nothing where the ray meets nothing.
   [[nodiscard]] std::optional<Interaction<Bsdf>> interact(const Ray<float>& ray) const {
+    return interact(ray, NoFootprint{});
+  }
+
+  /// The same with a footprint of the path: NoFootprint or PathFootprint.
+  template <typename F>
+  [[nodiscard]] std::optional<Interaction<Bsdf>> interact(const Ray<float>& ray, const F& footprint) const {
     std::optional<Interaction<Bsdf>> result;
     const auto& in_scene = cast_ray(ray);
     const auto hit = geometry_.closest(in_scene);
@@ -70,6 +80,9 @@ class Scene {
       at.surface = geometry_.surface(in_scene, *hit);
     } else {
       at.surface = surface_cast<float>(geometry_.surface(in_scene, *hit));
+    }
+    if constexpr (asks_for_footprints && std::is_same_v<F, PathFootprint>) {
+      if (!footprint.is_thin()) at.surface.footprint = footprint_at(at.surface, ray, footprint.differential());
     }
     at.frame = Frame<float>::from_normal_and_tangent(at.surface.shading_normal, at.surface.tangent);
     at.wo = -normalized(ray.direction);

@@ -58,6 +58,8 @@ class PrimitiveTrial {
     if constexpr (ShadablePrimitive<P>) {
       violations_.expect(neighbors_off_plane_ * 5 <= neighbors_, "normals are perpendicular to the surface",
                          double(neighbors_off_plane_), double(neighbors_) / 5);
+      violations_.expect(neighbors_off_map_ * 5 <= neighbors_, "tangents say how texture coordinates change",
+                         double(neighbors_off_map_), double(neighbors_) / 5);
     }
     if constexpr (SampleablePrimitive<P>) check_sampling();
     return violations_.take();
@@ -192,25 +194,28 @@ class PrimitiveTrial {
     const Vec3<T> off = abs(at.position - position);
     violations_.expect(off.x <= allowed.x && off.y <= allowed.y && off.z <= allowed.z,
                        "the surface's position is the ray's point, up to rounding", ray);
-    check_neighbor(ray, position, at.normal, facing);
+    check_neighbor(ray, position, at, facing);
   }
 
   void check_shading_data(const Ray<T>& ray, const SurfaceOf<T>& at) {
     const auto is_unit = [](const Vec3<T>& v) { return std::abs(glm::length(v) - T(1)) <= T(16) * epsilon_; };
     violations_.expect(is_unit(at.normal), "normals have unit length", ray);
     violations_.expect(is_unit(at.shading_normal), "shading normals have unit length", ray);
-    violations_.expect(is_finite(at.tangent) && std::isfinite(at.uv.x) && std::isfinite(at.uv.y),
+    violations_.expect(is_finite(at.tangent) && is_finite(at.bitangent) && std::isfinite(at.uv.x + at.uv.y),
                        "tangents and texture coordinates are finite", ray);
     violations_.expect(at.position_error.x >= T(0) && at.position_error.y >= T(0) && at.position_error.z >= T(0) &&
                            max_component(at.position_error) <= T(1024) * epsilon_ * (magnitude_ + size_),
                        "the position's error bound is a few roundings", ray);
-    const T slope = std::abs(glm::dot(at.tangent, at.normal));
-    violations_.expect(slope <= T(64) * epsilon_ * glm::length(at.tangent), "tangents are perpendicular to normals",
-                       ray);
+    for (const Vec3<T>& tangent : {at.tangent, at.bitangent}) {
+      const T slope = std::abs(glm::dot(tangent, at.normal));
+      violations_.expect(slope <= T(64) * epsilon_ * glm::length(tangent), "tangents are perpendicular to normals",
+                         ray);
+    }
   }
 
-  /// Whether the surface goes on where the normal says. Edges and strong curvature let a few say no.
-  void check_neighbor(const Ray<T>& ray, const Vec3<T>& position, const Vec3<T>& normal, T facing) {
+  /// Whether the surface goes on where the normal says, and its texture coordinates as the tangents say where there are
+  /// any. Edges, seams and strong curvature let a few say no.
+  void check_neighbor(const Ray<T>& ray, const Vec3<T>& position, const SurfaceOf<T>& at, T facing) {
     if (facing < T(0.2)) return;
     const T step = size_ * std::sqrt(epsilon_) * T(4);
     Ray<T> beside = ray;
@@ -221,7 +226,12 @@ class PrimitiveTrial {
     const T distance = glm::length(to_neighbor);
     if (distance > T(10) * step || distance < T(0.1) * step) return;
     ++neighbors_;
-    if (std::abs(glm::dot(to_neighbor, normal)) > T(0.05) * distance + slack(ray, hit->t)) ++neighbors_off_plane_;
+    const T allowed = T(0.05) * distance + slack(ray, hit->t);
+    if (std::abs(glm::dot(to_neighbor, at.normal)) > allowed) ++neighbors_off_plane_;
+    if (at.bitangent == Vec3<T>(T(0))) return;
+    const Vec2<T> step_in_uv = surface_at(primitive_, beside.at(hit->t), *hit).uv - at.uv;
+    const Vec3<T> by_tangents = at.tangent * step_in_uv.x + at.bitangent * step_in_uv.y;
+    if (glm::length(by_tangents - to_neighbor) > T(2) * allowed) ++neighbors_off_map_;
   }
 
   using Octants = std::array<double, 8>;
@@ -312,6 +322,7 @@ class PrimitiveTrial {
   Violations violations_;
   int neighbors_ = 0;
   int neighbors_off_plane_ = 0;
+  int neighbors_off_map_ = 0;
 };
 
 }  // namespace detail

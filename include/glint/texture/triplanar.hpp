@@ -21,11 +21,14 @@ struct Triplanar {
   [[nodiscard]] Rgb evaluate(const Surface& at) const {
     const Vec3<float> squared = at.shading_normal * at.shading_normal;
     const Vec3<float> weight = squared * squared;
-    const Vec3<float> p = scale * at.position;
+    const auto laid_on = [&](auto&& side) {
+      const UvFootprint over{scale * side(at.footprint.x), scale * side(at.footprint.y)};
+      return color_at(texture, scale * side(at.position), over);
+    };
     Rgb sum;
-    if (weight.x > 0) sum += texture.evaluate(Vec2<float>{p.z, p.y}) * weight.x;
-    if (weight.y > 0) sum += texture.evaluate(Vec2<float>{p.x, p.z}) * weight.y;
-    if (weight.z > 0) sum += texture.evaluate(Vec2<float>{p.x, p.y}) * weight.z;
+    if (weight.x > 0) sum += weight.x * laid_on([](const Vec3<float>& p) { return Vec2<float>{p.z, p.y}; });
+    if (weight.y > 0) sum += weight.y * laid_on([](const Vec3<float>& p) { return Vec2<float>{p.x, p.z}; });
+    if (weight.z > 0) sum += weight.z * laid_on([](const Vec3<float>& p) { return Vec2<float>{p.x, p.y}; });
     const float weights = weight.x + weight.y + weight.z;
     return weights > 0 ? sum / weights : Rgb{};
   }
