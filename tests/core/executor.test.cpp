@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include <glint/core/executor.hpp>  // first, so the header proves it stands alone
 
+#include <cstddef>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <support/catch.hpp>
-#include <support/executor_cases.hpp>
+
+#include <glint/testing/executor_laws.hpp>
 
 TEST_CASE("executor: Serial keeps what the concept promises", "[core][executor]") {
-  glint::support::check_executor(glint::Serial{});
+  CHECK(glint::testing::violations_of_executor_laws(glint::Serial{}) == std::vector<std::string>{});
 }
 
 TEST_CASE("executor: Serial runs all in one range, on the calling thread", "[core][executor]") {
-  const std::vector<std::pair<std::size_t, std::size_t>> whole{{0, 1000}};
-  CHECK(glint::support::ranges_of(glint::Serial{}, 1000, 1) == whole);
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;
+  glint::Serial::parallel_for(1000, 1, [&](std::size_t begin, std::size_t end) { ranges.emplace_back(begin, end); });
+  CHECK(ranges == std::vector<std::pair<std::size_t, std::size_t>>{{0, 1000}});
   std::thread::id id;
   glint::Serial::parallel_for(1, 1, [&](std::size_t, std::size_t) { id = std::this_thread::get_id(); });
   CHECK(id == std::this_thread::get_id());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -11,29 +10,15 @@
 #include <glint/geometry/quad.hpp>
 #include <glint/light/area.hpp>
 #include <glint/light/lights.hpp>
-#include <glint/sampler/independent.hpp>
 #include <glint/scene/scene.hpp>
+#include <glint/testing/integrator_laws.hpp>
 
-/// A mean and its standard error.
-struct Estimate {
-  double mean = 0;
-  double error = 0;
-};
+using glint::testing::Estimate;
 
 /// The radiance along a ray, from many samples.
 template <typename I, typename S>
 Estimate estimate(const I& integrator, const S& scene, const glint::Ray<float>& ray, int samples) {
-  const glint::Independent sequence{.seed = 11};
-  double sum = 0;
-  double squares = 0;
-  for (int i = 0; i < samples; ++i) {
-    auto sampler = sequence.stream({3, 4}, i);
-    const double value = static_cast<double>(integrator.radiance(scene, ray, sampler).g);
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / samples;
-  return {mean, std::sqrt(std::max(0.0, squares / samples - mean * mean) / samples)};
+  return glint::testing::estimate_radiance(integrator, scene, ray, samples, 11);
 }
 
 /// The inside of the cube [−1, 1]³: six walls that face inward.

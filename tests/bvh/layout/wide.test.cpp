@@ -11,9 +11,9 @@
 #include <glint/bvh/tree.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/boxes.hpp>
+#include <glint/testing/layout_laws.hpp>
 
 #include <support/catch.hpp>
-#include <support/layout_leaves.hpp>
 #include <support/nasty_boxes.hpp>
 
 TEMPLATE_TEST_CASE("wide: holds the leaves of the tree, each once, with its box", "[bvh][layout]", float, double) {
