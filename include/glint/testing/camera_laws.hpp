@@ -50,8 +50,7 @@ template <RayGenerator G>
 ///
 /// - A point on a ray is seen through the same part of the lens at the ray's film position, back along the ray.
 /// - Its importance is what importance(ray, distance) says, and the density of rays there: what one film position has
-/// to
-///   the next, they have one to the other on a plane that faces the ray. Within a hundredth.
+///   to the next, they have one to the other on a plane that faces the ray. Within a hundredth.
 ///
 /// Requires: film positions a 256th apart have rays that differ little.
 template <ImportanceGenerator G>

@@ -147,13 +147,12 @@ class SamplerJudge {
 /// What a sample sequence does against the laws, in words; nothing for a lawful one.
 ///
 /// - Every number is in [0, 1).
-/// - Numbers are a function of (pixel, sample) alone, in whatever order streams are asked for and however they
-/// interleave.
+/// - Numbers are a function of (pixel, sample) alone, in whatever order streams are asked for and however
+///   they interleave.
 /// - Each dimension, and each two together, are uniform: over the samples of a pixel, and over the pixels of an image.
 ///   More even than random is lawful.
-/// - Dimensions do not correlate, neither in a pixel, nor between neighboring ones. But one may have too much of what
-/// its
-///   neighbor has too little of, in the same dimension.
+/// - Dimensions do not correlate, neither in a pixel, nor between neighboring ones. But one may have too much of
+///   what its neighbor has too little of, in the same dimension.
 ///
 /// Looks at the first twelve dimensions, drawn in turn as one number and a pair.
 ///

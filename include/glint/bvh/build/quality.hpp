@@ -27,8 +27,7 @@ enum class Quality {
 /// The builder, and the passes after it, that suit a quality.
 ///
 /// Cost:    Fast takes about two fifths of the time of Balanced, for rays that take about a tenth longer; Best two to
-/// five
-///          times the time of Balanced, the more the more boxes overlap.
+///          five times the time of Balanced, the more the more boxes overlap.
 /// Threads: the same tree for every executor.
 struct QualityBuilder {
   Quality quality = Quality::Balanced;

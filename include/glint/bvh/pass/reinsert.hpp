@@ -280,8 +280,7 @@ template <std::floating_point T, std::unsigned_integral I, typename Executor>
 /// Cost:     about O(rounds · batch · nodes · log nodes).
 /// Threads:  places are looked for in parallel; the same tree for every executor.
 /// Source:   Meister, Bittner, "Parallel Reinsertion for Bounding Volume Hierarchy Optimization", CGF 37(2), 2018,
-/// whose
-///           moves exclude each other where they touch the same nodes.
+///           whose moves exclude each other where they touch the same nodes.
 template <std::floating_point T, std::unsigned_integral I, Executor E = Serial>
 [[nodiscard]] Tree<T, I> reinsert(const Tree<T, I>& tree, const Reinsertion& options = {}, const E& executor = {}) {
   Tree<T, I> numbered = depth_first(tree);
