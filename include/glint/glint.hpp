@@ -43,6 +43,9 @@
 #include <glint/bvh/layout/collapse.hpp>
 #include <glint/bvh/layout/filtered_leaves.hpp>
 #include <glint/bvh/layout/joined_leaves.hpp>
+#include <glint/bvh/layout/masked_leaves.hpp>
+#include <glint/bvh/layout/motion.hpp>
+#include <glint/bvh/layout/moving_blocks.hpp>
 #include <glint/bvh/layout/quantized.hpp>
 #include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>
@@ -105,6 +108,7 @@
 #include <glint/geometry/elements.hpp>
 #include <glint/geometry/hit.hpp>
 #include <glint/geometry/mesh_buffers.hpp>
+#include <glint/geometry/motion.hpp>
 #include <glint/geometry/offset.hpp>
 #include <glint/geometry/overlap.hpp>
 #include <glint/geometry/quad.hpp>
@@ -118,6 +122,8 @@
 #include <glint/geometry/set/filtered.hpp>
 #include <glint/geometry/set/instanced.hpp>
 #include <glint/geometry/set/joined.hpp>
+#include <glint/geometry/set/masked.hpp>
+#include <glint/geometry/set/moving.hpp>
 #include <glint/geometry/sphere.hpp>
 #include <glint/geometry/surface.hpp>
 #include <glint/geometry/transform.hpp>

@@ -4,12 +4,16 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include <glint/bvh/build/binned_sah.hpp>
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/layout/filtered_leaves.hpp>
 #include <glint/bvh/layout/joined_leaves.hpp>
+#include <glint/bvh/layout/masked_leaves.hpp>
+#include <glint/bvh/layout/motion.hpp>
+#include <glint/bvh/layout/moving_blocks.hpp>
 #include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/layout/wide.hpp>
 #include <glint/bvh/leaves.hpp>
@@ -25,12 +29,17 @@
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/hit.hpp>
+#include <glint/geometry/motion.hpp>
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_packet.hpp>
 #include <glint/geometry/surface.hpp>
 #include <glint/math/vec.hpp>
 
 namespace glint {
+
+/// What a Bvh is laid out in unless told: nodes of eight boxes, which move along where primitives do.
+template <typename S>
+using DefaultLayout = std::conditional_t<MovingSet<S>, MotionLayout<8>, WideLayout<8>>;
 
 /// A set of primitives that rays find quickly: the set, a tree over it in some layout, and its leaves. Models
 /// RayCaster.
@@ -41,7 +50,7 @@ namespace glint {
 /// Ensures: of hits at the same t, the one of the smallest index. Primitives without a finite, non-empty box are never
 ///          hit; statistics().left_out counts them.
 /// Threads: const means shareable.
-template <PrimitiveSet S, LayoutChoice LayoutName = WideLayout<8>>
+template <PrimitiveSet S, LayoutChoice LayoutName = DefaultLayout<S>>
 class Bvh {
  public:
   using Scalar = typename S::Scalar;
@@ -56,10 +65,10 @@ class Bvh {
   /// The set is kept by value: where it is a view, what it views must outlive the Bvh, unchanged.
   template <BuilderFor<S> Builder = BinnedSah, Executor E = Serial>
   explicit Bvh(S set, const Builder& builder = default_builder, const E& executor = {}, LayoutName layout = {})
-      : Bvh(set, builder.build(set, executor), layout, executor) {}
+      : Bvh(set, tree_over(set, builder, executor), layout, executor) {}
 
   template <BuilderFor<S> Builder>
-  Bvh(S set, const Builder& builder, LayoutName layout) : Bvh(set, builder.build(set, Serial{}), layout) {}
+  Bvh(S set, const Builder& builder, LayoutName layout) : Bvh(set, tree_over(set, builder, Serial{}), layout) {}
 
   /// Over a tree made before. Requires: a valid tree over this set.
   template <Executor E = Serial>
@@ -69,7 +78,9 @@ class Bvh {
         bounds_(tree.nodes.empty() ? Aabb<Scalar>{} : tree.nodes.front().bounds),
         reach_(RayReach<Scalar>::of(bounds_)),
         leaves_(make_leaves(set_, tree, typename LayoutName::Leaves{}, executor)),
-        nodes_(layout.template nodes<Scalar, Index>(tree, executor)) {}
+        nodes_(layout.template nodes<Scalar, Index>(tree, executor)) {
+    follow_motion(executor);
+  }
 
   [[nodiscard]] const S& set() const noexcept { return set_; }
   /// Of the tree that was built, before it was laid out.
@@ -89,7 +100,7 @@ class Bvh {
     RayQuery<Scalar, Nodes::width, RayOrder::NearestFirst> query(ray, reach_);
     const auto prepared = leaves_.prepare(set_, ray);
     Hit<Scalar, Index> best{.t = ray.t_max};
-    traverse(nodes_, query, ClosestVisit{*this, ray, prepared, query, best});
+    traverse(nodes_at(nodes_, ray.time), query, ClosestVisit{*this, ray, prepared, query, best});
     if (best.primitive == none<Index>) return std::nullopt;
     return best;
   }
@@ -97,7 +108,7 @@ class Bvh {
   [[nodiscard]] bool occluded(const Ray<Scalar>& ray) const {
     const RayQuery<Scalar, Nodes::width, RayOrder::Any> query(ray, reach_);
     const auto prepared = leaves_.prepare(set_, ray);
-    return traverse(nodes_, query, OccludedVisit{*this, ray, prepared}) == Walk::Stop;
+    return traverse(nodes_at(nodes_, ray.time), query, OccludedVisit{*this, ray, prepared}) == Walk::Stop;
   }
 
   /// Many rays: what each finds alone, to the last bit. Sooner where successive rays are alike, as those of a tile of
@@ -107,6 +118,10 @@ class Bvh {
   /// Cost:     no allocation.
   void closest(std::span<const Ray<Scalar>> rays, std::span<std::optional<Hit<Scalar, Index>>> hits) const {
     GLINT_ASSERT(rays.size() == hits.size());
+    if constexpr (boxes_move) {  // rays of many times share no boxes
+      for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest(rays[i]);
+      return;
+    }
     const PacketCaster caster(set_, leaves_, nodes_, reach_, reach_.size);
     const auto together = [&](const RayPacket<Scalar>& packet, std::size_t first) {
       return caster.closest(packet, hits.subspan(first, packet.rays.size()));
@@ -116,6 +131,10 @@ class Bvh {
   /// Likewise. Requires: as many results as rays.
   void occluded(std::span<const Ray<Scalar>> rays, std::span<bool> results) const {
     GLINT_ASSERT(rays.size() == results.size());
+    if constexpr (boxes_move) {
+      for (std::size_t i = 0; i < rays.size(); ++i) results[i] = occluded(rays[i]);
+      return;
+    }
     const PacketCaster caster(set_, leaves_, nodes_, reach_, reach_.size);
     const auto together = [&](const RayPacket<Scalar>& packet, std::size_t first) {
       return caster.occluded(packet, results.subspan(first, packet.rays.size()));
@@ -142,6 +161,7 @@ class Bvh {
   Refit refit(const E& executor = {}) requires(RefittableLeaves<Leaves, S>&& RefittableLayout<Nodes>) {
     if (built_cost_ < 0) built_cost_ = cost(bounds_, layout_area(nodes_));
     const FittedLayout<Scalar> fitted = refit_layout(nodes_, LeafFit{leaves_, set_}, executor);
+    follow_motion(executor);
     bounds_ = fitted.bounds;
     reach_ = RayReach<Scalar>::of(bounds_);
     const double now = cost(bounds_, fitted.area);
@@ -155,6 +175,24 @@ class Bvh {
   }
 
  private:
+  static constexpr bool boxes_move = MovingSet<S> && MovingLayout<Nodes>;
+
+  /// A good tree for all times where boxes will move along, and for a box each where they will not.
+  template <BuilderFor<S> Builder, Executor E>
+  [[nodiscard]] static Tree<Scalar, Index> tree_over(const S& set, const Builder& builder, const E& executor) {
+    if constexpr (boxes_move) {
+      auto tree = builder.build(Midway<S>{set}, executor);
+      glint::refit(tree, set, executor);
+      return tree;
+    } else {
+      return builder.build(set, executor);
+    }
+  }
+  template <Executor E>
+  void follow_motion(const E& executor) {
+    if constexpr (boxes_move) fit_motion(nodes_, leaves_, set_, executor);
+  }
+
   struct LeafFit {
     Leaves& leaves;
     const S& set;

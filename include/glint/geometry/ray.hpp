@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <concepts>
+#include <cstdint>
 
 #include <glint/math/constants.hpp>
 #include <glint/math/vec.hpp>
@@ -17,7 +18,8 @@ struct Ray {
   Vec3<T> direction{T(0), T(0), T(-1)};
   T t_min = 0;
   T t_max = infinity<T>;
-  T time = 0;  ///< in [0, 1] over the shutter; static sets ignore it
+  T time = 0;                              ///< in [0, 1] over the shutter; static sets ignore it
+  std::uint32_t mask = ~std::uint32_t{0};  ///< what it sees of Masked sets: all that share a bit with it
 
   [[nodiscard]] Vec3<T> at(T t) const noexcept { return origin + direction * t; }
 

@@ -15,7 +15,7 @@ namespace glint {
 /// The same ray in another space. Its direction is not made unit length, so t means the same in both.
 template <std::floating_point T>
 [[nodiscard]] Ray<T> transform(const Affine<T>& affine, const Ray<T>& ray) noexcept {
-  return {affine.point(ray.origin), affine.vector(ray.direction), ray.t_min, ray.t_max, ray.time};
+  return {affine.point(ray.origin), affine.vector(ray.direction), ray.t_min, ray.t_max, ray.time, ray.mask};
 }
 
 namespace detail {

@@ -120,8 +120,9 @@ class Scene {
     if constexpr (std::is_same_v<Scalar, float>) {
       return (ray);
     } else {
-      return Ray<Scalar>{Vec3<Scalar>(ray.origin), Vec3<Scalar>(ray.direction), Scalar(ray.t_min), Scalar(ray.t_max),
-                         Scalar(ray.time)};
+      return Ray<Scalar>{Vec3<Scalar>(ray.origin), Vec3<Scalar>(ray.direction),
+                         Scalar(ray.t_min),        Scalar(ray.t_max),
+                         Scalar(ray.time),         ray.mask};
     }
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,16 +18,18 @@
 
 namespace glint {
 
-/// Leaves of a filtered set: tested in the way of the set itself, in blocks say, as if every hit counted. Only a leaf
-/// whose closest hit the filter rejects is asked again, one primitive after another. A slot is a leaf.
-template <typename Choice, PrimitiveSet S, typename Accept>
+/// Leaves of a set that `accepts` some hits of another, its `set`: tested in the way of that, in blocks say, as if
+/// every hit counted. Only a leaf whose closest hit is rejected is asked again, one primitive after another. A slot is
+/// a leaf.
+template <typename Choice, PrimitiveSet FilteredSet>
 class FilteredLeaves {
  public:
-  using Set = Filtered<S, Accept>;
+  using Set = FilteredSet;
   using Scalar = typename Set::Scalar;
   using Index = typename Set::Index;
 
  private:
+  using S = std::remove_cvref_t<decltype(std::declval<const Set&>().set())>;
   using TreeOfSet = Tree<Scalar, Index>;
   using AllLeaves = decltype(make_leaves(std::declval<const S&>(), std::declval<TreeOfSet&>(), Choice{}, Serial{}));
   struct Runs {
@@ -85,6 +88,11 @@ class FilteredLeaves {
   }) {
     return all_.refit(set.set(), runs_[slots.first].all);
   }
+  /// The leaves as if every hit counted, and what of them is in these slots.
+  [[nodiscard]] GLINT_ALWAYS_INLINE const AllLeaves& unfiltered() const noexcept { return all_; }
+  [[nodiscard]] GLINT_ALWAYS_INLINE Slots<Index> unfiltered(Slots<Index> slots) const noexcept {
+    return runs_[slots.first].all;
+  }
   [[nodiscard]] std::size_t bytes() const noexcept {
     return single_.bytes() + runs_.size() * sizeof(Runs) + all_.bytes();
   }
@@ -113,10 +121,10 @@ class FilteredLeaves {
 };
 
 template <PrimitiveSet S, typename Accept, typename Choice, Executor E>
-[[nodiscard]] FilteredLeaves<Choice, S, Accept> make_leaves(const Filtered<S, Accept>& set,
-                                                            Tree<typename S::Scalar, typename S::Index>& tree,
-                                                            Choice /*choice*/, const E& executor) {
-  return FilteredLeaves<Choice, S, Accept>(set, tree, executor);
+[[nodiscard]] FilteredLeaves<Choice, Filtered<S, Accept>> make_leaves(const Filtered<S, Accept>& set,
+                                                                      Tree<typename S::Scalar, typename S::Index>& tree,
+                                                                      Choice /*choice*/, const E& executor) {
+  return FilteredLeaves<Choice, Filtered<S, Accept>>(set, tree, executor);
 }
 
 }  // namespace glint

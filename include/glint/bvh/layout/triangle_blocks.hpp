@@ -286,11 +286,11 @@ class TriangleBlocks {
   /// Has the block fetched that will be tested soon.
   GLINT_ALWAYS_INLINE void prefetch(Index slot) const noexcept { glint::prefetch(blocks_[slot]); }
 
-  using RaysPrepared = typename Block::RaysTest::Prepared;
-  [[nodiscard]] GLINT_ALWAYS_INLINE RaysPrepared prepare(const Mesh& /*mesh*/,
-                                                         const RayPacket<T>& packet) const noexcept {
+  [[nodiscard]] GLINT_ALWAYS_INLINE auto prepare(const Mesh& /*mesh*/, const RayPacket<T>& packet) const noexcept
+      requires(requires { Block::RaysTest::prepare(packet); }) {
     return Block::RaysTest::prepare(packet);
   }
+  template <typename RaysPrepared>
   GLINT_ALWAYS_INLINE std::uint32_t closest(const Mesh& mesh, const RayPacket<T>& packet, const RaysPrepared& prepared,
                                             const PacketQuery<T>& query, Slots<Index> slots, std::uint32_t asked,
                                             PacketHits<T, Index>& best) const noexcept {
@@ -304,6 +304,7 @@ class TriangleBlocks {
     for_each_triangle(mesh, prepared, query, slots, visit);
     return improved;
   }
+  template <typename RaysPrepared>
   [[nodiscard]] GLINT_ALWAYS_INLINE std::uint32_t occluded(const Mesh& mesh, const RayPacket<T>& packet,
                                                            const RaysPrepared& prepared, const PacketQuery<T>& query,
                                                            Slots<Index> slots, std::uint32_t asked) const noexcept {
@@ -330,7 +331,7 @@ class TriangleBlocks {
       if (!node.is_leaf()) continue;
       const std::size_t begin = next;
       std::span<const Index> rest = order.subspan(node.first, node.count);
-      fetch_soon(mesh, order, node);
+      if constexpr (requires { mesh.positions; }) fetch_soon(mesh, order, node);
       for (; !rest.empty(); rest = rest.subspan(std::min(rest.size(), block_size)))
         blocks_[next++] = Block(mesh, rest.first(std::min(rest.size(), block_size)));
       node.first = Index(begin);
@@ -362,7 +363,7 @@ class TriangleBlocks {
   }
 
   /// Until `visit` says that no ray asks any more.
-  template <typename Visit>
+  template <typename RaysPrepared, typename Visit>
   GLINT_ALWAYS_INLINE void for_each_triangle(const Mesh& mesh, const RaysPrepared& prepared,
                                              const PacketQuery<T>& query, Slots<Index> slots,
                                              const Visit& visit) const noexcept {

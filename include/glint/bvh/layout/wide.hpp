@@ -23,6 +23,27 @@
 #include <glint/simd/pack.hpp>
 
 namespace glint {
+namespace detail {
+
+/// The boxes of siblings side by side. A child that is there has no lower corner at infinity, even if nothing is left
+/// in it.
+template <std::floating_point T, int N, std::unsigned_integral I>
+[[nodiscard]] BoxPack<T, N> box_pack(std::span<const WideChild<T, I>> children) noexcept {
+  std::array<std::array<T, std::size_t(N)>, 6> planes;
+  for (std::size_t plane = 0; plane < 6; ++plane) planes[plane].fill(plane < 3 ? infinity<T> : -infinity<T>);
+  for (std::size_t i = 0; i != children.size(); ++i) {
+    const Aabb<T>& bounds = children[i].bounds;
+    const Vec3<T>& upper = bounds.upper;
+    const Vec3<T> lower = is_empty(bounds) ? Vec3<T>(std::numeric_limits<T>::max()) : bounds.lower;
+    const std::array<T, 6> box{lower.x, lower.y, lower.z, upper.x, upper.y, upper.z};
+    for (std::size_t plane = 0; plane < 6; ++plane) planes[plane][i] = box[plane];
+  }
+  BoxPack<T, N> boxes;
+  for (std::size_t plane = 0; plane < 6; ++plane) boxes.planes[plane] = Pack<T, N>::load(planes[plane].data());
+  return boxes;
+}
+
+}  // namespace detail
 
 /// Nodes of up to N children, whose boxes are stored plane by plane and tested at once.
 template <std::floating_point T, std::unsigned_integral I, int N>
@@ -59,7 +80,9 @@ class WideNodes {
     return count;
   }
   /// New boxes for the children of a node.
-  void refit(I node, const Aabb<T>& /*bounds*/, Children children) noexcept { write_boxes(nodes_[node], children); }
+  void refit(I node, const Aabb<T>& /*bounds*/, Children children) noexcept {
+    nodes_[node].boxes = detail::box_pack<T, N>(children);
+  }
   /// Has a node fetched that will be visited soon.
   GLINT_ALWAYS_INLINE void prefetch(I node) const noexcept { glint::prefetch(nodes_[node]); }
   [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.size() * sizeof(Node); }
@@ -71,22 +94,9 @@ class WideNodes {
   };
 
   static void write(Node& node, Children children) noexcept {
-    write_boxes(node, children);
+    node.boxes = detail::box_pack<T, N>(children);
     node.links.fill({0, 1});
     for (std::size_t i = 0; i != children.size(); ++i) node.links[i] = children[i].link;
-  }
-  /// A child that is there has no lower corner at infinity, even if nothing is left in it.
-  static void write_boxes(Node& node, Children children) noexcept {
-    std::array<std::array<T, std::size_t(N)>, 6> planes;
-    for (std::size_t plane = 0; plane < 6; ++plane) planes[plane].fill(plane < 3 ? infinity<T> : -infinity<T>);
-    for (std::size_t i = 0; i != children.size(); ++i) {
-      const Aabb<T>& bounds = children[i].bounds;
-      const Vec3<T>& upper = bounds.upper;
-      const Vec3<T> lower = is_empty(bounds) ? Vec3<T>(std::numeric_limits<T>::max()) : bounds.lower;
-      const std::array<T, 6> box{lower.x, lower.y, lower.z, upper.x, upper.y, upper.z};
-      for (std::size_t plane = 0; plane < 6; ++plane) planes[plane][i] = box[plane];
-    }
-    for (std::size_t plane = 0; plane < 6; ++plane) node.boxes.planes[plane] = Pack<T, N>::load(planes[plane].data());
   }
 
   UninitializedVector<Node> nodes_;

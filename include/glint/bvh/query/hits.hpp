@@ -11,6 +11,7 @@
 
 #include <glint/bvh/bvh.hpp>
 #include <glint/bvh/concepts.hpp>
+#include <glint/bvh/layout/motion.hpp>
 #include <glint/bvh/query/ray.hpp>
 #include <glint/bvh/traverse.hpp>
 #include <glint/core/config.hpp>
@@ -121,7 +122,7 @@ std::size_t nearest_hits_behind(const Bvh<S, L>& bvh, const Ray<typename S::Scal
   EveryHitQuery<T, Bvh<S, L>::Nodes::width, RayOrder::NearestFirst> query(ray, bvh.reach());
   NearestHits<T, I> nearest(hits, ray.t_max, bvh.has_parts(), behind);
   const auto prepared = bvh.leaves().prepare(bvh.set(), ray);
-  traverse(bvh.nodes(), query, [&](Slots<I> slots) {
+  traverse(nodes_at(bvh.nodes(), ray.time), query, [&](Slots<I> slots) {
     bvh.leaves().for_each_hit(bvh.set(), ray, prepared, slots, nearest);
     if (nearest.is_full()) query.shrink(nearest.limit());
     return Walk::Continue;
@@ -158,7 +159,7 @@ Walk for_each_hit(const Bvh<S, L>& bvh, const Ray<typename S::Scalar>& ray, cons
   const detail::EveryHitQuery<T, Bvh<S, L>::Nodes::width, RayOrder::Any> query(ray, bvh.reach());
   detail::HitsOnce<T, I, Visit> once(ray.t_max, bvh.has_parts(), visit);
   const auto prepared = bvh.leaves().prepare(bvh.set(), ray);
-  return traverse(bvh.nodes(), query,
+  return traverse(nodes_at(bvh.nodes(), ray.time), query,
                   [&](Slots<I> slots) { return bvh.leaves().for_each_hit(bvh.set(), ray, prepared, slots, once); });
 }
 

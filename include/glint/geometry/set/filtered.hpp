@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <glint/geometry/concepts.hpp>
+#include <glint/geometry/motion.hpp>
 
 namespace glint {
 
@@ -49,6 +50,9 @@ class Filtered {
   template <typename F>
   auto with_primitive(Index i, const F& f) const requires(requires(const S& set) { set.with_primitive(i, f); }) {
     return set_.with_primitive(i, f);
+  }
+  [[nodiscard]] MotionBounds<Scalar> motion_bounds(Index i) const requires(MovingSet<S>) {
+    return set_.motion_bounds(i);
   }
   [[nodiscard]] Aabb<Scalar> clip(Index i, const Aabb<Scalar>& cell) const requires(ClippableSet<S>) {
     return set_.clip(i, cell);

@@ -12,6 +12,7 @@
 #include <glint/core/config.hpp>
 #include <glint/core/index.hpp>
 #include <glint/geometry/concepts.hpp>
+#include <glint/geometry/motion.hpp>
 
 namespace glint {
 
@@ -67,6 +68,12 @@ class Joined {
       else
         return f(set.bounds(local));
     });
+  }
+
+  /// Of sets that stand still, the box twice.
+  [[nodiscard]] MotionBounds<Scalar> motion_bounds(Index i) const requires(MovingSet<Sets> || ...) {
+    return dispatch(
+        i, []<std::size_t N>(Number<N>, const auto& set, auto local) { return glint::motion_bounds(set, local); });
   }
 
   /// Of sets that cannot clip, the part of the box.
