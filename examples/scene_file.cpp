@@ -38,11 +38,14 @@ int main(int argc, char** argv) {
   const glint::SceneFile file = glint::read_scene(path);
   for (const std::string& warning : file.warnings) std::puts(warning.c_str());
 
-  const auto scene = glint::scene_of(file, executor);
+  const auto any_scene = glint::any_scene_of(file, executor);
   glint::Film film{file.film.resolution, file.film.filter};
-  file.integrator.integrator.visit([&](const auto& integrator) {
+  const auto render_by = [&](const auto& scene, const auto& integrator) {
     glint::render(scene, file.camera, integrator, film, {.samples = file.integrator.samples}, executor,
                   glint::sequence_of(file.sampler, file.integrator.samples));
+  };
+  any_scene.visit([&](const auto& scene) {
+    file.integrator.integrator.visit([&](const auto& integrator) { render_by(scene, integrator); });
   });
   glint::write_image(film.develop(executor), "scene.exr");
   // </region: render>

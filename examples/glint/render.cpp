@@ -124,7 +124,7 @@ struct Rendering {
 
 Rendering render_scene(const glint::SceneFile& file, const RenderArguments& arguments,
                        const glint::TbbExecutor& executor, std::stop_token stop) {
-  const auto scene = glint::scene_of(file, executor);
+  const auto scene = glint::any_scene_of(file, executor);
   glint::Film<glint::SceneFilter> film(file.film.resolution, file.film.filter);
   glint::RenderOptions options{.samples = file.integrator.samples, .tile_size = arguments.tile_size};
   options.stop = std::move(stop);

@@ -16,7 +16,7 @@
 
 /// All that rendering a scene file takes but the integrator.
 struct RenderJob {
-  const glint::LoadedScene& scene;
+  const glint::AnyLoadedScene& scene;
   const glint::SceneCamera& camera;
   glint::Film<glint::SceneFilter>& film;
   const glint::RenderOptions& options;

@@ -4,5 +4,7 @@
 #include "render_job.hpp"
 
 glint::RenderReport render(const RenderJob& job, const glint::LightTracer& integrator) {
-  return glint::render(job.scene, job.camera, integrator, job.film, job.options, job.executor, job.sequence);
+  return job.scene.visit([&](const auto& scene) {
+    return glint::render(scene, job.camera, integrator, job.film, job.options, job.executor, job.sequence);
+  });
 }

@@ -164,8 +164,11 @@
 #include <glint/io/scene_lights.hpp>
 #include <glint/io/scene_materials.hpp>
 #include <glint/io/scene_meshes.hpp>
+#include <glint/io/scene_mtl.hpp>
 #include <glint/io/scene_objects.hpp>
+#include <glint/io/scene_plain_materials.hpp>
 #include <glint/io/scene_settings.hpp>
+#include <glint/io/scene_surfaces.hpp>
 #include <glint/io/scene_textures.hpp>
 #include <glint/io/tree_file.hpp>
 #include <glint/light/adaptive_light_sampler.hpp>
@@ -192,6 +195,7 @@
 #include <glint/material/normal_map.hpp>
 #include <glint/material/opacity.hpp>
 #include <glint/material/textured.hpp>
+#include <glint/material/textured_principled.hpp>
 #include <glint/material/two_sided.hpp>
 #include <glint/math/affine.hpp>
 #include <glint/math/constants.hpp>

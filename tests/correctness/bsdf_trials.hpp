@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <glint/bsdf/blend.hpp>
+#include <glint/bsdf/coated_diffuse.hpp>
+#include <glint/bsdf/compensated.hpp>
 #include <glint/bsdf/conductor.hpp>
 #include <glint/bsdf/dielectric.hpp>
 #include <glint/bsdf/lambertian.hpp>
@@ -13,8 +16,12 @@
 #include <glint/bsdf/mirror.hpp>
 #include <glint/bsdf/oren_nayar.hpp>
 #include <glint/bsdf/perfect_refraction.hpp>
+#include <glint/bsdf/perturbed.hpp>
+#include <glint/bsdf/principled.hpp>
+#include <glint/bsdf/rough_coated_diffuse.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/bsdf/rough_dielectric.hpp>
+#include <glint/bsdf/sheen.hpp>
 #include <glint/bsdf/thin_dielectric.hpp>
 #include <glint/bsdf/two_sided.hpp>
 #include <glint/testing/bsdf_laws.hpp>
@@ -43,6 +50,53 @@ struct BsdfTrials {
   }
 };
 
+/// BSDFs made of others.
+inline void try_compositions(BsdfTrials& trials) {
+  using namespace glint;
+  const auto front = SeenFrom::Front;
+  const RoughConductor<Ggx> metal{.distribution = {0.5F, 0.5F}};
+  trials("TwoSided&lt;Lambertian&gt;", "1", TwoSided{Lambertian{Rgb{1}}}, {.least_albedo = 1});
+  trials("Compensated&lt;RoughConductor&lt;Ggx&gt;&gt;, α = 0.5", "", Compensated{metal},
+         {.seen_from = front, .tolerance = 5e-3F});
+  trials("Blend of Mirror and Lambertian", "1", Blend{Mirror{}, Lambertian{Rgb{1}}, 0.6F},
+         {.seen_from = front, .least_albedo = 1});
+  trials("Blend of Lambertian and Dielectric", "", Blend{Lambertian{Rgb{0.5F}}, Dielectric{}, 0.9F},
+         {.radiance_eta = 1.5F});
+  trials("Perturbed&lt;Lambertian&gt;, by 53° (normal and bump maps)", "",
+         Perturbed{Lambertian{Rgb{1}}, {-0.48F, 0.64F, 0.6F}}, {.seen_from = front});
+  trials("Perturbed&lt;RoughConductor&lt;Ggx&gt;&gt;, by 16°", "", Perturbed{metal, {0.0F, -0.28F, 0.96F}},
+         {.seen_from = front, .tolerance = 5e-3F});
+}
+
+/// One for each part of `Principled`, and of all at once.
+inline void try_principled(BsdfTrials& trials) {
+  using glint::Principled;
+  const BsdfLawOptions front{.seen_from = SeenFrom::Front, .tolerance = 5e-3F};
+  BsdfLawOptions white = front;
+  white.least_albedo = 0.98F;
+  const BsdfLawOptions through{.radiance_eta = 1.5F, .tolerance = 5e-3F};
+  const glint::Rgb color{0.9F, 0.5F, 0.1F};
+  trials("Principled, opaque and white", "0.98", Principled{.base_color = glint::Rgb{1}}, white);
+  trials("Principled, metal, anisotropic", "",
+         Principled{.base_color = color, .metallic = 1, .roughness = 0.5F, .anisotropy = 0.6F}, front);
+  trials("Principled, glass", "", Principled{.base_color = color, .roughness = 0.4F, .transmission = 1}, through);
+  trials("Principled, half metal under a coat", "",
+         Principled{.base_color = color, .metallic = 0.5F, .coat = 1, .coat_roughness = 0.3F}, front);
+  trials("Principled, velvet", "",
+         Principled{.base_color = color, .roughness = 0.9F, .sheen = 1, .sheen_roughness = 0.6F, .sheen_tint = 0.5F},
+         front);
+  trials("Principled, everything at once", "",
+         Principled{.base_color = color,
+                    .metallic = 0.3F,
+                    .roughness = 0.4F,
+                    .anisotropy = 0.3F,
+                    .transmission = 0.5F,
+                    .coat = 0.5F,
+                    .coat_roughness = 0.3F,
+                    .sheen = 0.5F},
+         through);
+}
+
 /// Prints the table, and says whether all laws hold.
 [[nodiscard]] inline bool try_bsdfs(std::uint64_t seeds) {
   using namespace glint;
@@ -56,7 +110,6 @@ struct BsdfTrials {
   trials("Lambertian", "1", Lambertian{Rgb{1}}, {.seen_from = front, .least_albedo = 1});
   trials("OrenNayar, roughness 0.7", "1", OrenNayar{Rgb{1}, 0.7F}, {.seen_from = front, .least_albedo = 1});
   trials("Mirror", "1", Mirror{}, {.seen_from = front, .least_albedo = 1});
-  trials("TwoSided&lt;Lambertian&gt;", "1", TwoSided{Lambertian{Rgb{1}}}, {.least_albedo = 1});
   trials("PerfectRefraction, η = 1.5", "1", PerfectRefraction{1.5F}, {.least_albedo = 1});
   trials("Dielectric, η = 1.5", "1", Dielectric{.eta = 1.5F}, {.least_albedo = 1, .radiance_eta = 1.5F});
   trials("ThinDielectric, η = 1.5", "1", ThinDielectric{.eta = 1.5F}, {.least_albedo = 1});

@@ -2,7 +2,9 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,11 +14,14 @@
 #include <glint/bsdf/dielectric.hpp>
 #include <glint/color/image.hpp>
 #include <glint/geometry/disk.hpp>
+#include <glint/geometry/set/filtered.hpp>
 #include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/light/environment.hpp>
 #include <glint/material/material_table.hpp>
+#include <glint/material/opacity.hpp>
+#include <glint/texture/constant.hpp>
 #include <glint/texture/image_texture.hpp>
 
 #include <correctness/rows.hpp>
@@ -89,6 +94,24 @@ inline void add_lamps(std::vector<Row>& rows, int samples) {
             Disk<float>{.center = {0, 0, 2}, .normal = {0, 0, -1}, .radius = 1.5F}, samples);
 }
 
+/// That floor below the rectangle, with a black curtain between them that stops 0.4 of the light.
+inline void add_gauze(std::vector<Row>& rows, int samples) {
+  const std::vector<Quad<float>> quads{{{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}},
+                                       {{-50, -50, 1}, {100, 0, 0}, {0, 100, 0}},
+                                       {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}}};
+  const std::vector<ConstantTexture> opacities{{Rgb{0.4F}}};
+  const std::vector<std::uint32_t> of_primitive{none<std::uint32_t>, 0, none<std::uint32_t>};
+  const Elements set{quads};
+  const Opacity opacity{set, std::span(opacities), std::span(of_primitive)};
+  const MaterialTable<Lambertian> materials{{Lambertian{Rgb{0.8F}}, Lambertian{Rgb{0.0F}}}, {0, 1, 1}};
+  const Lights<AreaLight<Quad<float>>> lights{{AreaLight<Quad<float>>{quads[2], Rgb{1}}},
+                                              {none<std::uint32_t>, none<std::uint32_t>, 0}};
+  const Scene scene{Bvh{Filtered{set, opacity}}, materials, lights};
+  const Ray<float> ray{.origin = {0.3F, 0, 0.3F}, .direction = {-0.3F, 0, -0.3F}};
+  const double irradiance = polygon_irradiance({Vec3<double>{-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}});
+  add(rows, "rectangle behind gauze of opacity 0.4", 0.6 * 0.8 / pi<double> * irradiance, scene, ray, 2, samples);
+}
+
 /// The mean over a disk of what arrives from another one, parallel and on one axis, at distance 1: F = (S − √(S² −
 /// 4 (r₂/r₁)²)) / 2 with S = 1 + (1 + r₂²) / r₁² (Howell, Mengüç, Siegel, "Thermal Radiation Heat Transfer", C-41).
 inline void add_disks(std::vector<Row>& rows, int samples) {
@@ -148,6 +171,7 @@ inline void add_environments(std::vector<Row>& rows, int samples) {
   std::vector<Row> rows;
   add_furnaces(rows, samples);
   add_lamps(rows, samples);
+  add_gauze(rows, samples);
   add_disks(rows, samples);
   add_environments(rows, samples);
   return rows;

@@ -72,3 +72,19 @@ TEST_CASE("scene file: one without anything is a scene that no ray meets", "[io]
   CHECK_FALSE(scene.occluded(Ray<float>{}));
   CHECK(scene.background({0, 1, 0}) == Rgb{0});
 }
+
+TEST_CASE("scene file: a scene is of the type that lets light pass only where something does", "[io][scene]") {
+  SceneFile file = one_of_each();
+  CHECK(any_scene_of(file).get_if<glint::LoadedScene>() != nullptr);
+  file.opacities = {glint::ConstantTexture{Rgb{0}}};
+  file.opacity_of_primitive.assign(4, glint::none<std::uint32_t>);
+  file.opacity_of_primitive[1] = 0;
+  const auto scene = any_scene_of(file);
+  REQUIRE(scene.get_if<glint::MaskedScene>() != nullptr);
+  const auto met = [&](float x) {
+    return scene.visit([&](const auto& one) { return one.occluded(Ray<float>{.origin = {x, 0, 9}}); });
+  };
+  CHECK(met(0));
+  CHECK_FALSE(met(10));  // the sphere
+  CHECK(met(20));
+}

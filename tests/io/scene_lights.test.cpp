@@ -8,6 +8,7 @@
 
 #include <support/catch.hpp>
 #include <support/json_text.hpp>
+#include <support/temporary_directory.hpp>
 
 namespace {
 
@@ -26,6 +27,8 @@ SceneDraft draft_with_textures() {
   image(1, 0) = image(1, 1) = {1, 0, 0};
   draft.textures.emplace("red", glint::ImageTexture{.image = std::make_shared<const glint::Image>(image),
                                                     .interpolation = glint::Interpolation::Nearest});
+  for (int x = 0; x < 4; ++x) image(x, 0) = image(x, 1) = x == 1 ? Rgb{1} : Rgb{0.1F};
+  draft.textures.emplace("dusk", glint::ImageTexture{.image = std::make_shared<const glint::Image>(image)});
   return draft;
 }
 
@@ -133,6 +136,18 @@ TEST_CASE("scene lights: an environment is its texture, scaled", "[io][scene]") 
   const auto environment = environment_of(R"({"texture_name": "white", "scale": 2.5})");
   CHECK(environment.background({0, 1, 0}) == Rgb{2.5F});
   CHECK(environment_of(R"({"texture_name": "white"})").background({1, 0, 0}) == Rgb{1});
+}
+
+TEST_CASE("scene lights: a compensated environment leaves what is darker than its mean to chance", "[io][scene]") {
+  const Vec3<float> dim = glm::normalize(Vec3<float>{-1, 0, -1});
+  CHECK(environment_of(R"({"texture_name": "dusk"})").pdf(dim) > 0);
+  CHECK(environment_of(R"({"texture_name": "dusk", "mis_compensation": true})").pdf(dim) == 0);
+  SceneDraft draft = draft_with_textures();
+  draft.scene.integrator.integrator = glint::Bdpt{};
+  JsonText json(R"({"texture_name": "red", "mis_compensation": true})");
+  CHECK(glint::testing::message_of<glint::IoError>([&] { glint::detail::read_environment(json.object("/x"), draft); },
+                                                   "scene.json:") ==
+        "/x: \"mis_compensation\" is right only for the integrators \"path\" and \"direct\" with the profile \"MIS\"");
 }
 
 TEST_CASE("scene lights: u = atan2(x, -z) / 2 pi, so the second quarter of an environment lies between +x and +z",

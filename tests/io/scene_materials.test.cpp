@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include <glint/io/scene_materials.hpp>  // first, so the header proves it stands alone
 
+#include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <support/catch.hpp>
 #include <support/json_text.hpp>
+#include <support/temporary_directory.hpp>
 
 namespace {
 
-using glint::JsonObject;
 using glint::Rgb;
 using glint::SceneMaterial;
 using glint::Vec3;
 using glint::detail::SceneDraft;
-using glint::testing::json_error;
 using glint::testing::JsonText;
+using glint::testing::message_of;
 
 SceneDraft draft_with_grey() {
   SceneDraft draft;
@@ -25,14 +28,15 @@ SceneDraft draft_with_grey() {
 
 SceneMaterial material_of(const char* text, std::vector<std::string> warnings = {}) {
   JsonText json(text);
-  auto material = glint::detail::read_material(json.object("/materials/m"), draft_with_grey());
+  auto read = glint::detail::read_material(json.value("/materials/m"), draft_with_grey());
   CHECK(json.source.warnings == warnings);
-  return material;
+  return std::move(read.material);
 }
 
 std::string material_error(const char* text) {
-  return json_error(
-      text, [](JsonObject object) { return glint::detail::read_material(std::move(object), draft_with_grey()); });
+  JsonText json(text);
+  return message_of<glint::IoError>([&] { (void)glint::detail::read_material(json.value("/x"), draft_with_grey()); },
+                                    "scene.json:");
 }
 
 Rgb evaluated(const SceneMaterial& material, const Vec3<float>& wo, const Vec3<float>& wi) {
@@ -142,8 +146,9 @@ TEST_CASE("scene materials: a wrong material is an error that tells what was fou
   CHECK(material_error(R"({"texture_name": "gray"})") ==
         "/x/texture_name: there is no texture named \"gray\"; did you mean \"grey\"?");
   CHECK(material_error(R"({"type": "glas"})") ==
-        "/x/type: found \"glas\", expected one of \"diffuse\", \"plastic\", \"refraction\", \"glass\", "
-        "\"thinglass\", \"roughglass\", \"mirror\", \"conductor\", \"roughconductor\"; did you mean \"glass\"?");
+        "/x/type: found \"glas\", expected one of \"diffuse\", \"plastic\", \"roughplastic\", "
+        "\"principled\", \"refraction\", \"glass\", \"thinglass\", \"roughglass\", \"mirror\", \"conductor\", "
+        "\"roughconductor\", \"blend\"; did you mean \"glass\"?");
   CHECK(material_error(R"({"type": "refraction", "eta": 0})") == "/x/eta: found 0, expected a number above 0");
   CHECK(material_error(R"({"texture_name": "grey", "twosided": 1})") == "/x/twosided: found 1, expected true or false");
   CHECK(material_error(R"({"type": "roughconductor", "texture_name": "grey", "alpha_y": -1})") ==
@@ -171,4 +176,74 @@ TEST_CASE("scene materials: all are known by their names", "[io][scene]") {
   REQUIRE(draft.materials.size() == 2);
   CHECK(draft.scene.materials[draft.materials.at("b")].get_if<glint::Mirror>() != nullptr);
   CHECK(draft.scene.materials[draft.materials.at("a")].get_if<glint::SceneDiffuse>() != nullptr);
+}
+
+TEST_CASE("scene materials: any may be two-sided", "[io][scene]") {
+  const auto plastic = material_of(R"({"type": "roughplastic", "texture_name": "grey", "twosided": true})");
+  REQUIRE(plastic.get_if<glint::SceneLayer>() != nullptr);
+  CHECK(evaluated(plastic, down, down).r > 0);
+  CHECK(evaluated(plastic, down, down) == evaluated(plastic, up, up));
+}
+
+TEST_CASE("scene materials: normals are bent by a map or by heights", "[io][scene]") {
+  SceneDraft draft = draft_with_grey();
+  draft.textures.emplace("slope", glint::ConstantTexture{{1.0F, 0.5F, 1.0F}});  // 45° toward x
+  auto image = std::make_shared<const glint::Image>(glint::Vec2i{8, 4});
+  draft.textures.emplace("heights", glint::ImageTexture{.image = image});
+  const auto read = [&](const char* text) {
+    JsonText json(text);
+    return glint::detail::read_material(json.value("/x"), draft).material;
+  };
+  const auto bent = read(R"({"texture_name": "grey", "normal_map": "slope"})");
+  const glint::Surface at{.tangent = {1, 0, 0}};
+  const auto bsdf = glint::bsdf_at(bent, at, 0);
+  const auto* perturbed = bsdf.get_if<glint::Perturbed<glint::SceneLayerBsdf>>();
+  REQUIRE(perturbed != nullptr);
+  CHECK(perturbed->normal().x == Approx(std::sqrt(0.5)));
+  const auto rough = read(R"({"texture_name": "grey", "bump_map": "heights", "bump_scale": 0.25})");
+  const auto* bumps = rough.get_if<glint::SceneBumpMapped>();
+  REQUIRE(bumps != nullptr);
+  CHECK(bumps->scale == 0.25F);
+  CHECK(bumps->step == 0.125F);  // one of 8 pixels
+  CHECK(material_error(R"({"texture_name": "grey", "bump_map": "grey", "normal_map": "grey"})") ==
+        "/x: a surface is bent either by \"normal_map\" or by \"bump_map\"");
+}
+
+TEST_CASE("scene materials: a blend is made of others, before or after it", "[io][scene]") {
+  JsonText json(R"({"a": {"type": "blend", "material0": "b", "material1": "z", "share": 0.25},
+    "b": {"texture_name": "grey"}, "z": {"type": "mirror"}})");
+  SceneDraft draft = draft_with_grey();
+  glint::detail::read_materials(json.object(), draft);
+  const auto& blend = draft.scene.materials[draft.materials.at("a")];
+  REQUIRE(blend.get_if<glint::SceneBlend>() != nullptr);
+  CHECK(evaluated(blend, up, up).r == Approx(0.75 * 0.5 / 3.14159265));  // the mirror's share is seen nowhere
+}
+
+TEST_CASE("scene materials: what a blend cannot have is an error", "[io][scene]") {
+  const auto error = [](const char* text) {
+    JsonText json(text);
+    SceneDraft draft = draft_with_grey();
+    return message_of<glint::IoError>([&] { glint::detail::read_materials(json.object(), draft); }, "scene.json:");
+  };
+  CHECK(error(R"({"a": {"type": "blend", "material0": "b", "material1": "b"},
+                  "b": {"texture_name": "grey", "opacity": 0.5}})") ==
+        "/a/material0: the material \"b\" is a blend, or has \"normal_map\", \"bump_map\" or \"opacity\", which what "
+        "is blended cannot have");
+  CHECK(error(R"({"a": {"type": "blend", "material0": "c", "material1": "b"}, "b": {"texture_name": "grey"}})") ==
+        "/a/material0: there is no material named \"c\"; did you mean \"b\"?");
+}
+
+TEST_CASE("scene materials: opacity is a number or a texture", "[io][scene]") {
+  JsonText json(R"({"a": {"type": "mirror", "opacity": 0.25}, "b": {"type": "mirror"},
+    "c": {"type": "mirror", "opacity": "grey"}})");
+  SceneDraft draft = draft_with_grey();
+  glint::detail::read_materials(json.object(), draft);
+  const auto opacity = [&](const char* name) {
+    return draft.scene.opacities.at(draft.opacity_of_material.at(draft.materials.at(name)));
+  };
+  CHECK(opacity("a").evaluate(glint::Vec2<float>{0, 0}) == Rgb{0.25F});
+  CHECK(opacity("c").evaluate(glint::Vec2<float>{0, 0}) == Rgb{0.5F});
+  CHECK(draft.opacity_of_material.size() == 2);
+  CHECK(material_error(R"({"type": "mirror", "opacity": 2})") ==
+        "/x/opacity: found 2, expected a number from 0 to 1, or the name of a texture");
 }

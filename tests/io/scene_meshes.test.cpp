@@ -114,7 +114,7 @@ TEST_CASE("scene meshes: an MTL file's materials are two-sided, and v = 0 is the
   SceneDraft draft;
   JsonSource source;
   (void)draft.black_material();
-  const auto mesh = glint::detail::load_obj(path, MtlUse::Read, draft, source);
+  const auto mesh = glint::detail::load_obj(path, MtlUse::Read, {}, draft, source);
   CHECK(mesh.materials == std::vector<std::uint32_t>{2, 1});
   using TwoSided = glint::TwoSidedMaterial<glint::SceneDiffuse>;
   const auto texture = [&](std::size_t i) { return draft.scene.materials[i].get_if<TwoSided>()->front.texture; };
@@ -122,7 +122,7 @@ TEST_CASE("scene meshes: an MTL file's materials are two-sided, and v = 0 is the
   CHECK(texture(2).evaluate(glint::Vec2<float>{0.5F, 0.75F}) == Rgb{1, 0, 0});  // the top row
   CHECK(texture(2).evaluate(glint::Vec2<float>{0.5F, 0.25F}) == Rgb{0});
   CHECK(draft.scene.inputs == std::vector{directory / "map.exr"});
-  CHECK(glint::detail::load_obj(path, MtlUse::Ignore, draft, source).materials.empty());
+  CHECK(glint::detail::load_obj(path, MtlUse::Ignore, {}, draft, source).materials.empty());
   CHECK(draft.scene.materials.size() == 3);
 }
 
@@ -133,15 +133,44 @@ TEST_CASE("scene meshes: each face of a mesh with materials needs one", "[io][sc
       directory.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl plain\nf 1 3 2\n");
   SceneDraft draft;
   JsonSource source;
-  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj(path, MtlUse::Read, draft, source); }) ==
+  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj(path, MtlUse::Read, {}, draft, source); }) ==
         path.string() + ": has faces without a material, expected one for each face");
+}
+
+TEST_CASE("scene meshes: triangles of a material that shines are one light, where they were placed", "[io][scene]") {
+  const TemporaryDirectory directory;
+  directory.write("m.mtl", "newmtl plain\nKd 1 1 1\nnewmtl lamp\nKe 1 2 3\nnewmtl unused\nKe 1 1 1\n");
+  const auto path = directory.write("m.obj",
+                                    "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\nusemtl lamp\n"
+                                    "f 1 3 2\nf 1 3 2\n");
+  SceneDraft draft;
+  JsonSource source;
+  const auto mesh = glint::detail::load_obj(path, MtlUse::Read, Affine<float>::scale({2, 2, 2}), draft, source);
+  CHECK(mesh.lights == std::vector<std::uint32_t>{glint::none<std::uint32_t>, 0, 0});
+  REQUIRE(draft.scene.lights.size() == 1);
+  const auto* light = draft.scene.lights[0].get_if<glint::AreaLight<glint::TriangleSampler>>();
+  REQUIRE(light != nullptr);
+  CHECK(area(light->shape) == 4);  // twice 2 · 2 / 2
+  CHECK(light->radiance == Rgb{1, 2, 3});
+}
+
+TEST_CASE("scene meshes: a missing MTL file is an error where the scene names no material", "[io][scene]") {
+  const TemporaryDirectory directory;
+  const auto path = directory.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  SceneDraft draft;
+  JsonSource source;
+  const auto message =
+      message_of<IoError>([&] { (void)glint::detail::load_obj(path, MtlUse::Read, {}, draft, source); });
+  CHECK(message.find("has no materials, and the scene names none: ") != std::string::npos);
+  CHECK(message.find((directory / "m.mtl").string() + ": cannot be read") != std::string::npos);
+  CHECK(glint::detail::load_obj(path, MtlUse::Ignore, {}, draft, source).materials.empty());
 }
 
 TEST_CASE("scene meshes: other kinds of files are refused by name", "[io][scene]") {
   SceneDraft draft;
   JsonSource source;
-  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj("a.ply", MtlUse::Ignore, draft, source); }) ==
+  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj("a.ply", MtlUse::Ignore, {}, draft, source); }) ==
         "a.ply: cannot be read as a mesh: expected .obj");
-  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj("no/such.OBJ", MtlUse::Ignore, draft, source); }) ==
+  CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj("no/such.OBJ", MtlUse::Ignore, {}, draft, source); }) ==
         "no/such.OBJ: cannot be read: No such file or directory");
 }

@@ -120,6 +120,15 @@ TEST_CASE("scene objects: a mesh that names no material has those of its MTL fil
   CHECK(named.attributes[0].materials == std::vector<std::uint32_t>{0});
 }
 
+TEST_CASE("scene objects: what shines cannot let light pass", "[io][scene]") {
+  JsonText json(R"({"type": "sphere", "material_name": "gauze", "light": {}})");
+  SceneDraft draft;
+  draft.materials.emplace("gauze", draft.add_material(glint::Mirror{}, glint::ConstantTexture{Rgb{0.5F}}));
+  CHECK(glint::testing::message_of<glint::IoError>([&] { glint::detail::read_object(json.object("/x"), draft); },
+                                                   "scene.json:") ==
+        "/x/material_name: what shines is opaque, but the material \"gauze\" has \"opacity\"");
+}
+
 TEST_CASE("scene objects: a transform that flattens is warned of", "[io][scene]") {
   const TemporaryDirectory directory;
   directory.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -30,23 +30,23 @@ namespace glint {
 
 /// A material of an MTL file, as its keywords give it. Maps are paths that open from here; empty where there is none.
 struct ObjMaterial {
-  std::string name;
-  Rgb diffuse;                         ///< Kd
-  Rgb specular;                        ///< Ks
-  Rgb emission;                        ///< Ke
-  Rgb transmission;                    ///< Tf
-  float shininess = 1;                 ///< Ns
-  float ior = 1;                       ///< Ni
-  float opacity = 1;                   ///< d, or 1 − Tr
-  float roughness = 0;                 ///< Pr
-  float metallic = 0;                  ///< Pm
-  int illumination = 0;                ///< illum
-  std::filesystem::path diffuse_map;   ///< map_Kd
-  std::filesystem::path specular_map;  ///< map_Ks
-  std::filesystem::path emission_map;  ///< map_Ke
-  std::filesystem::path opacity_map;   ///< map_d
-  std::filesystem::path normal_map;    ///< norm
-  std::filesystem::path bump_map;      ///< bump, map_bump
+  std::string name{};
+  Rgb diffuse{};                         ///< Kd
+  Rgb specular{};                        ///< Ks
+  Rgb emission{};                        ///< Ke
+  Rgb transmission{};                    ///< Tf
+  float shininess = 1;                   ///< Ns
+  float ior = 1;                         ///< Ni
+  float opacity = 1;                     ///< d, or 1 − Tr
+  float roughness = 0;                   ///< Pr
+  float metallic = 0;                    ///< Pm
+  int illumination = 0;                  ///< illum
+  std::filesystem::path diffuse_map{};   ///< map_Kd
+  std::filesystem::path specular_map{};  ///< map_Ks
+  std::filesystem::path emission_map{};  ///< map_Ke
+  std::filesystem::path opacity_map{};   ///< map_d
+  std::filesystem::path normal_map{};    ///< norm
+  std::filesystem::path bump_map{};      ///< bump, map_bump
 
   [[nodiscard]] friend bool operator==(const ObjMaterial&, const ObjMaterial&) = default;
 };

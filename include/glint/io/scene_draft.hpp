@@ -11,9 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include <glint/core/index.hpp>
 #include <glint/io/error.hpp>
 #include <glint/io/json_object.hpp>
 #include <glint/io/scene_file.hpp>
+#include <glint/io/scene_surfaces.hpp>
 #include <glint/math/affine.hpp>
 
 /// What the readers of a scene's parts have in common.
@@ -25,6 +27,8 @@ struct SceneDraft {
   std::map<std::string, SceneTexture> textures{};
   std::map<std::string, std::optional<JsonValue>> other_textures{};  ///< not read yet; no value: being read
   std::map<std::string, std::uint32_t> materials{};
+  std::map<std::string, SceneLayer> layers{};                    ///< the materials that blends may name
+  std::map<std::uint32_t, std::uint32_t> opacity_of_material{};  ///< indices; of those that are not opaque
   std::optional<std::uint32_t> black{};  ///< the material of lamps that have none, once there is one
 
   std::uint32_t add_material(SceneMaterial material) {
@@ -32,9 +36,34 @@ struct SceneDraft {
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
   }
 
+  /// A material that lets light pass as far as a texture says.
+  std::uint32_t add_material(SceneMaterial material, SceneTexture opacity) {
+    const std::uint32_t index = add_material(std::move(material));
+    opacity_of_material.emplace(index, static_cast<std::uint32_t>(scene.opacities.size()));
+    scene.opacities.push_back(std::move(opacity));
+    return index;
+  }
+
+  std::uint32_t add_light(SceneLight light) {
+    scene.lights.push_back(std::move(light));
+    return static_cast<std::uint32_t>(scene.lights.size() - 1);
+  }
+
   [[nodiscard]] std::uint32_t black_material() {
     if (!black) black = add_material(SceneDiffuse{.texture = ConstantTexture{0}});
     return *black;
+  }
+
+  /// The scene, done: from the materials' opacity that of each primitive, where anything lets light pass.
+  [[nodiscard]] SceneFile take() && {
+    if (opacity_of_material.empty()) return std::move(scene);
+    for (const PrimitiveAttributes& kind : scene.attributes) {
+      for (const std::uint32_t material : kind.materials) {
+        const auto found = opacity_of_material.find(material);
+        scene.opacity_of_primitive.push_back(found == opacity_of_material.end() ? none<std::uint32_t> : found->second);
+      }
+    }
+    return std::move(scene);
   }
 };
 

@@ -9,34 +9,25 @@
 #include <utility>
 #include <vector>
 
-#include <glint/bsdf/coated_diffuse.hpp>
-#include <glint/bsdf/compensated.hpp>
-#include <glint/bsdf/conductor.hpp>
-#include <glint/bsdf/dielectric.hpp>
-#include <glint/bsdf/lambertian.hpp>
-#include <glint/bsdf/microfacet.hpp>
-#include <glint/bsdf/mirror.hpp>
-#include <glint/bsdf/oren_nayar.hpp>
-#include <glint/bsdf/perfect_refraction.hpp>
-#include <glint/bsdf/rough_conductor.hpp>
-#include <glint/bsdf/rough_dielectric.hpp>
-#include <glint/bsdf/thin_dielectric.hpp>
 #include <glint/bvh/build/median.hpp>
 #include <glint/bvh/build/morton.hpp>
 #include <glint/bvh/build/quality.hpp>
 #include <glint/bvh/build/spatial_sah.hpp>
 #include <glint/bvh/build/sweep_sah.hpp>
 #include <glint/bvh/bvh.hpp>
+#include <glint/core/config.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/core/one_of.hpp>
 #include <glint/geometry/disk.hpp>
 #include <glint/geometry/elements.hpp>
 #include <glint/geometry/mesh_buffers.hpp>
 #include <glint/geometry/quad.hpp>
+#include <glint/geometry/set/filtered.hpp>
 #include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
 #include <glint/io/scene_settings.hpp>
+#include <glint/io/scene_surfaces.hpp>
 #include <glint/light/area.hpp>
 #include <glint/light/directional.hpp>
 #include <glint/light/environment.hpp>
@@ -45,32 +36,12 @@
 #include <glint/light/spot.hpp>
 #include <glint/light/triangle_sampler.hpp>
 #include <glint/material/material_table.hpp>
-#include <glint/material/textured.hpp>
-#include <glint/material/two_sided.hpp>
+#include <glint/material/opacity.hpp>
 #include <glint/scene/scene.hpp>
-#include <glint/texture/any_texture.hpp>
-#include <glint/texture/checkerboard.hpp>
-#include <glint/texture/constant.hpp>
-#include <glint/texture/image_texture.hpp>
 
 namespace glint {
 
-/// What the materials, textures and lights of a scene file can be.
-using SceneTexture = OneOf<ConstantTexture, Checkerboard, ImageTexture, AnyTexture>;
-using SceneDiffuse = Textured<Lambertian, SceneTexture>;
-using SceneRoughDiffuse = Textured<OrenNayar, SceneTexture>;
-using ScenePlastic = Textured<CoatedDiffuse, SceneTexture>;
-using SceneConductor = Textured<Conductor, SceneTexture>;
-template <MicrofacetDistribution D>
-using SceneRoughConductor = Textured<RoughConductor<D>, SceneTexture>;
-template <MicrofacetDistribution D>
-using SceneCompensatedConductor = Textured<Compensated<RoughConductor<D>>, SceneTexture>;
-/// The most common ones first: which it is, is asked in this order.
-using SceneMaterial =
-    OneOf<SceneDiffuse, TwoSidedMaterial<SceneDiffuse>, PerfectRefraction, Dielectric, Mirror,
-          SceneRoughConductor<Beckmann>, SceneRoughConductor<Ggx>, SceneCompensatedConductor<Beckmann>,
-          SceneCompensatedConductor<Ggx>, SceneConductor, ScenePlastic, SceneRoughDiffuse,
-          TwoSidedMaterial<SceneRoughDiffuse>, ThinDielectric, RoughDielectric<Beckmann>, RoughDielectric<Ggx>>;
+/// What the lights of a scene file can be.
 using SceneLight = OneOf<PointLight, SpotLight, DirectionalLight, AreaLight<TriangleSampler>, AreaLight<Sphere<float>>,
                          AreaLight<Disk<float>>, AreaLight<Quad<float>>, EnvironmentLight<SceneTexture>>;
 
@@ -90,6 +61,8 @@ struct SceneFile {
 
   std::vector<SceneMaterial> materials;
   std::vector<SceneLight> lights;
+  std::vector<SceneTexture> opacities;              ///< of what lets light pass
+  std::vector<std::uint32_t> opacity_of_primitive;  ///< as in Opacity; empty where everything is opaque
 
   SceneCamera camera;
   FilmSettings film;
@@ -109,6 +82,11 @@ using SceneShapes = decltype(std::declval<const SceneFile&>().shapes());
 using SceneBvh = Bvh<SceneShapes>;
 using LoadedScene = Scene<SceneBvh, MaterialTable<SceneMaterial>, SceneLight>;
 
+/// The same for scenes with something that is not opaque: a type of its own, so that others do not pay for it.
+using MaskedSceneShapes = Filtered<SceneShapes, Opacity<SceneShapes, SceneTexture>>;
+using MaskedScene = Scene<Bvh<MaskedSceneShapes>, MaterialTable<SceneMaterial>, SceneLight>;
+using AnyLoadedScene = OneOf<LoadedScene, MaskedScene>;
+
 namespace detail {
 
 [[nodiscard]] inline std::vector<std::uint32_t> concatenated(const std::array<PrimitiveAttributes, 4>& attributes,
@@ -120,13 +98,11 @@ namespace detail {
   return result;
 }
 
-}  // namespace detail
-
-/// The tree that the file's settings ask for.
-template <Executor E = Serial>
-[[nodiscard]] SceneBvh bvh_of(const SceneFile& file, const E& executor = {}) {
-  constexpr std::size_t block_size = SceneBvh::Leaves::block_size;
-  const auto by = [&](const auto& builder) { return SceneBvh{file.shapes(), builder, executor}; };
+/// The tree over a set that the file's settings ask for.
+template <typename Set, Executor E>
+[[nodiscard]] Bvh<Set> bvh_over(Set set, const SceneFile& file, const E& executor) {
+  constexpr std::size_t block_size = Bvh<Set>::Leaves::block_size;
+  const auto by = [&](const auto& builder) { return Bvh<Set>{std::move(set), builder, executor}; };
   switch (file.accelerator.builder) {
     case BuilderKind::Median:
       return by(Median{});
@@ -141,15 +117,42 @@ template <Executor E = Serial>
     case BuilderKind::BinnedSah:
       break;
   }
-  return by(SceneBvh::default_builder);
+  return by(Bvh<Set>::default_builder);
+}
+
+[[nodiscard]] inline MaterialTable<SceneMaterial> material_table_of(const SceneFile& file) {
+  return {file.materials, concatenated(file.attributes, &PrimitiveAttributes::materials)};
+}
+
+[[nodiscard]] inline Lights<SceneLight> lights_of(const SceneFile& file) {
+  return {file.lights, concatenated(file.attributes, &PrimitiveAttributes::lights)};
+}
+
+}  // namespace detail
+
+/// The tree over the file's shapes that its settings ask for; opacity is not in it.
+template <Executor E = Serial>
+[[nodiscard]] SceneBvh bvh_of(const SceneFile& file, const E& executor = {}) {
+  return detail::bvh_over(file.shapes(), file, executor);
 }
 
 /// The scene, ready for rendering. It views the file's buffers: the file has to outlive it and stay as it is.
+///
+/// Requires: everything is opaque; else see any_scene_of.
 template <Executor E = Serial>
 [[nodiscard]] LoadedScene scene_of(const SceneFile& file, const E& executor = {}) {
-  return LoadedScene(bvh_of(file, executor),
-                     {file.materials, detail::concatenated(file.attributes, &PrimitiveAttributes::materials)},
-                     {file.lights, detail::concatenated(file.attributes, &PrimitiveAttributes::lights)});
+  GLINT_ASSERT(file.opacity_of_primitive.empty());
+  return LoadedScene(bvh_of(file, executor), detail::material_table_of(file), detail::lights_of(file));
+}
+
+/// The scene of any file, of the type that it takes: `any_scene_of(file).visit([](const auto& scene) { … })`.
+template <Executor E = Serial>
+[[nodiscard]] AnyLoadedScene any_scene_of(const SceneFile& file, const E& executor = {}) {
+  if (file.opacity_of_primitive.empty()) return scene_of(file, executor);
+  const SceneShapes shapes = file.shapes();
+  const Opacity opacity{shapes, std::span(file.opacities), std::span(file.opacity_of_primitive)};
+  return MaskedScene(detail::bvh_over(Filtered{shapes, opacity}, file, executor), detail::material_table_of(file),
+                     detail::lights_of(file));
 }
 
 }  // namespace glint

@@ -61,7 +61,7 @@ inline void apply_options(nlohmann::json& json, const SceneReadOptions& options,
   if (const auto environment = top.find("environment_map")) read_environment(JsonObject(*environment), draft);
   for (const PointLight& light : scene.integrator.point_lights) scene.lights.emplace_back(light);
   top.finish();
-  return std::move(draft.scene);
+  return std::move(draft).take();
 }
 
 }  // namespace detail

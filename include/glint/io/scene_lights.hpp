@@ -51,7 +51,7 @@ inline void read_light(JsonObject light, SceneDraft& draft) {
   if (kind == LightKind::Directional) scene.lights.emplace_back(read_directional_light(light));
   if (kind == LightKind::Rectangle) {
     const Rgb radiance = light.require("radiance").color();
-    add_shape(scene, Quads, scene.quads, read_rectangle(light), {draft.black_material(), radiance});
+    add_shape(draft, Quads, scene.quads, read_rectangle(light), {draft.black_material(), radiance});
   }
   light.finish();
 }
@@ -60,6 +60,22 @@ inline void read_light(JsonObject light, SceneDraft& draft) {
 [[nodiscard]] inline Vec2i table_resolution(const SceneTexture& texture) {
   const ImageTexture* image = texture.get_if<ImageTexture>();
   return image == nullptr ? Vec2i{256, 128} : image->image->size();
+}
+
+/// Whether light is looked for and met by chance, each weighted: what a compensated choice needs.
+[[nodiscard]] inline bool combines_strategies(const SceneIntegrator& integrator) {
+  if (const auto* path = integrator.get_if<Path>()) return path->strategy == LightStrategy::Mis;
+  const auto* direct = integrator.get_if<Direct>();
+  return direct != nullptr && direct->strategy == LightStrategy::Mis;
+}
+
+[[nodiscard]] inline EnvironmentChoice read_environment_choice(JsonObject& object, const SceneFile& scene) {
+  if (!object.flag_or("mis_compensation", false)) return EnvironmentChoice::Radiance;
+  if (!combines_strategies(scene.integrator.integrator)) {
+    object.fail(
+        "\"mis_compensation\" is right only for the integrators \"path\" and \"direct\" with the profile \"MIS\"");
+  }
+  return EnvironmentChoice::Compensated;
 }
 
 inline void read_environment(JsonObject object, SceneDraft& draft) {
@@ -71,6 +87,7 @@ inline void read_environment(JsonObject object, SceneDraft& draft) {
     if (!inverse(to_world))
       transform->fail("found " + transform->json().dump() + ", expected a matrix with an inverse");
   }
+  const EnvironmentChoice choice = read_environment_choice(object, draft.scene);
   object.finish();
   if (const ImageTexture* image = texture.get_if<ImageTexture>()) {  // the poles are no seam
     ImageTexture clamped = *image;
@@ -79,7 +96,7 @@ inline void read_environment(JsonObject object, SceneDraft& draft) {
   }
   const Vec2i resolution = table_resolution(texture);
   draft.scene.lights.emplace_back(
-      EnvironmentLight<SceneTexture>(std::move(texture), resolution, scale, to_world.linear));
+      EnvironmentLight<SceneTexture>(std::move(texture), resolution, scale, to_world.linear, choice));
 }
 
 }  // namespace glint::detail

@@ -3,15 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
-#include <glint/color/image.hpp>
+#include <glint/color/rgb.hpp>
 #include <glint/core/index.hpp>
 #include <glint/geometry/mesh_buffers.hpp>
 #include <glint/io/error.hpp>
@@ -20,6 +18,7 @@
 #include <glint/io/mesh_obj.hpp>
 #include <glint/io/scene_draft.hpp>
 #include <glint/io/scene_file.hpp>
+#include <glint/io/scene_mtl.hpp>
 #include <glint/math/affine.hpp>
 
 /// Meshes on their way from files into a scene.
@@ -88,39 +87,61 @@ inline void append_mesh(MeshBuffers<float>& all, const MeshBuffers<float>& mesh)
   return AreaLight<TriangleSampler>{std::move(shape), radiance};
 }
 
-/// A material of an MTL file: its diffuse color or map, on both sides. In MTL files v = 0 is an image's bottom row.
-[[nodiscard]] inline SceneMaterial material_of(const ObjMaterial& material, SceneDraft& draft) {
-  SceneDiffuse diffuse{.texture = ConstantTexture{material.diffuse}};
-  if (!material.diffuse_map.empty()) {
-    draft.scene.inputs.push_back(material.diffuse_map);
-    diffuse.texture = ImageTexture{.image = std::make_shared<const Image>(read_image(material.diffuse_map)),
-                                   .mapping = {.scale = {1, -1}, .delta = {0, 1}}};
-  }
-  return TwoSidedMaterial<SceneDiffuse>{diffuse};
-}
-
-/// An OBJ file and, unless the scene names a material for it, its own materials added to the scene.
+/// An OBJ file and, unless the scene names a material for it, its own materials and lamps added to the scene.
 struct LoadedMesh {
   MeshBuffers<float> buffers;
   std::vector<std::uint32_t> materials;  ///< one a triangle; empty where it has none of its own
+  std::vector<std::uint32_t> lights;     ///< one a triangle, or none at all
 };
 
 enum class MtlUse : std::uint8_t { Read, Ignore };
 
-[[nodiscard]] inline LoadedMesh load_obj(const std::filesystem::path& path, MtlUse use, SceneDraft& draft,
-                                         JsonSource& source) {
+/// The triangles of one of the file's materials.
+[[nodiscard]] inline MeshBuffers<float> part_of_mesh(const MeshBuffers<float>& mesh,
+                                                     const std::vector<std::uint32_t>& material_ids, std::size_t id) {
+  MeshBuffers<float> part{.positions = mesh.positions, .normals = {}, .uvs = {}, .indices = {}};
+  for (std::size_t i = 0; i < material_ids.size(); ++i) {
+    if (material_ids[i] != id) continue;
+    for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner) part.indices.push_back(mesh.indices[corner]);
+  }
+  return part;
+}
+
+/// The lamps of a placed mesh: one of each material that shines.
+inline void add_lamps(LoadedMesh& mesh, const ObjMesh& obj, SceneDraft& draft) {
+  for (std::size_t id = 0; id < obj.materials.size(); ++id) {
+    if (is_black(obj.materials[id].emission)) continue;
+    auto shape = mesh_light(part_of_mesh(mesh.buffers, obj.material_ids, id), obj.materials[id].emission);
+    if (!shape) continue;  // no triangle has this material
+    const std::uint32_t light = draft.add_light(*std::move(shape));
+    mesh.lights.resize(obj.material_ids.size(), none<std::uint32_t>);
+    for (std::size_t i = 0; i < obj.material_ids.size(); ++i) {
+      if (obj.material_ids[i] == id) mesh.lights[i] = light;
+    }
+  }
+}
+
+/// Reads and places a mesh.
+[[nodiscard]] inline LoadedMesh load_obj(const std::filesystem::path& path, MtlUse use, const Affine<float>& placement,
+                                         SceneDraft& draft, JsonSource& source) {
   if (lower_case_extension(path) != ".obj") throw IoError(path, "cannot be read as a mesh: expected .obj");
   ObjMesh obj = read_obj(path);
-  LoadedMesh result{.buffers = std::move(obj.buffers), .materials = {}};
+  LoadedMesh result{.buffers = std::move(obj.buffers), .materials = {}, .lights = {}};
+  place_mesh(result.buffers, placement);
   if (use == MtlUse::Ignore) return result;
   source.warnings.insert(source.warnings.end(), obj.warnings.begin(), obj.warnings.end());
-  if (obj.materials.empty()) return result;
-  std::vector<std::uint32_t> own;
-  for (const ObjMaterial& material : obj.materials) own.push_back(draft.add_material(material_of(material, draft)));
+  if (obj.materials.empty()) {
+    if (!obj.warnings.empty()) throw IoError(path, "has no materials, and the scene names none: " + obj.warnings[0]);
+    return result;
+  }
+  MtlMaterials own(draft, source);
+  std::vector<std::uint32_t> added;
+  for (const ObjMaterial& material : obj.materials) added.push_back(own.add(material));
   for (const std::uint32_t id : obj.material_ids) {
     if (id == none<std::uint32_t>) throw IoError(path, "has faces without a material, expected one for each face");
-    result.materials.push_back(own[id]);
+    result.materials.push_back(added[id]);
   }
+  add_lamps(result, obj, draft);
   return result;
 }
 

@@ -45,23 +45,20 @@ struct ObjectAttributes {
     object.fail("the keys \"material_name\" and \"light\" are both missing, expected one of them");
   }
   result.material = name ? named(draft.materials, *name, "material") : draft.black_material();
+  if (result.radiance && draft.opacity_of_material.contains(result.material)) {
+    name->fail("what shines is opaque, but the material \"" + name->text() + "\" has \"opacity\"");
+  }
   return result;
-}
-
-/// Adds a light to the scene; returns its index.
-inline std::uint32_t add_light(SceneFile& scene, SceneLight light) {
-  scene.lights.push_back(std::move(light));
-  return static_cast<std::uint32_t>(scene.lights.size() - 1);
 }
 
 /// Adds a shape, and the light that it is.
 template <typename Shape>
-void add_shape(SceneFile& scene, ShapeKind kind, std::vector<Shape>& shapes, const Shape& shape,
+void add_shape(SceneDraft& draft, ShapeKind kind, std::vector<Shape>& shapes, const Shape& shape,
                const ObjectAttributes& attributes) {
   shapes.push_back(shape);
-  scene.attributes[kind].materials.push_back(attributes.material);
-  scene.attributes[kind].lights.push_back(
-      attributes.radiance ? add_light(scene, AreaLight<Shape>{shape, *attributes.radiance}) : none<std::uint32_t>);
+  draft.scene.attributes[kind].materials.push_back(attributes.material);
+  draft.scene.attributes[kind].lights.push_back(
+      attributes.radiance ? draft.add_light(AreaLight<Shape>{shape, *attributes.radiance}) : none<std::uint32_t>);
 }
 
 [[nodiscard]] inline Sphere<float> read_sphere(JsonObject& object) {
@@ -94,32 +91,33 @@ void add_shape(SceneFile& scene, ShapeKind kind, std::vector<Shape>& shapes, con
   return result;
 }
 
+/// What every triangle of a mesh is made of and which light it is, as the scene says.
+inline void attribute_mesh(LoadedMesh& mesh, JsonObject& object, SceneDraft& draft) {
+  const ObjectAttributes attributes = read_attributes(object, draft);
+  mesh.materials.assign(mesh.buffers.indices.size() / 3, attributes.material);
+  if (!attributes.radiance) return;
+  auto shape = mesh_light(mesh.buffers, *attributes.radiance);
+  if (!shape) object.fail("a mesh without area cannot be a light");
+  mesh.lights.assign(mesh.materials.size(), draft.add_light(*std::move(shape)));
+}
+
 inline void read_mesh(JsonObject& object, SceneDraft& draft) {
   const JsonValue path = object.require("path");
   const Affine<float> placement = read_placement(object);
   const MtlUse use = object.has("material_name") || object.has("light") ? MtlUse::Ignore : MtlUse::Read;
-  LoadedMesh mesh =
-      read_named_file(draft, path, [&](const auto& file) { return load_obj(file, use, draft, object.source()); });
-  place_mesh(mesh.buffers, placement);
+  LoadedMesh mesh = read_named_file(
+      draft, path, [&](const auto& file) { return load_obj(file, use, placement, draft, object.source()); });
+  if (mesh.materials.empty()) attribute_mesh(mesh, object, draft);
 
   SceneFile& scene = draft.scene;
-  std::uint32_t light = none<std::uint32_t>;
-  if (mesh.materials.empty()) {
-    const ObjectAttributes attributes = read_attributes(object, draft);
-    mesh.materials.assign(mesh.buffers.indices.size() / 3, attributes.material);
-    if (attributes.radiance) {
-      auto shape = mesh_light(mesh.buffers, *attributes.radiance);
-      if (!shape) object.fail("a mesh without area cannot be a light");
-      light = add_light(scene, *std::move(shape));
-    }
-  }
   if (scene.mesh.positions.size() + mesh.buffers.positions.size() > none<std::uint32_t>) {
     path.fail("the meshes have more than 2^32 vertices together");
   }
   append_mesh(scene.mesh, mesh.buffers);
   auto& [materials, lights] = scene.attributes[Triangles];
+  lights.insert(lights.end(), mesh.lights.begin(), mesh.lights.end());
   materials.insert(materials.end(), mesh.materials.begin(), mesh.materials.end());
-  lights.resize(materials.size(), light);
+  lights.resize(materials.size(), none<std::uint32_t>);
 }
 
 inline void read_object(JsonObject object, SceneDraft& draft) {
@@ -131,9 +129,9 @@ inline void read_object(JsonObject object, SceneDraft& draft) {
   } else {
     SceneFile& scene = draft.scene;
     const ObjectAttributes attributes = read_attributes(object, draft);
-    if (kind == Spheres) add_shape(scene, kind, scene.spheres, read_sphere(object), attributes);
-    if (kind == Disks) add_shape(scene, kind, scene.disks, read_disk(object), attributes);
-    if (kind == Quads) add_shape(scene, kind, scene.quads, read_rectangle(object), attributes);
+    if (kind == Spheres) add_shape(draft, kind, scene.spheres, read_sphere(object), attributes);
+    if (kind == Disks) add_shape(draft, kind, scene.disks, read_disk(object), attributes);
+    if (kind == Quads) add_shape(draft, kind, scene.quads, read_rectangle(object), attributes);
   }
   object.finish();
 }
