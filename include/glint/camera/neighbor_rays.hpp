@@ -16,8 +16,8 @@ template <RayGenerator G>
 [[nodiscard]] RayDifferential ray_differential(const G& generator, const Vec2<float>& film, const Vec2<float>& lens,
                                                const Vec2<float>& step) {
   const Ray<float> ray = generator.ray(film, lens);
-  const Ray<float> across = generator.ray({film.x + step.x, film.y}, lens);
-  const Ray<float> upward = generator.ray({film.x, film.y + step.y}, lens);
+  const Ray<float> across = generator.ray(Vec2<float>{film.x + step.x, film.y}, lens);
+  const Ray<float> upward = generator.ray(Vec2<float>{film.x, film.y + step.y}, lens);
   return {.origin_x = across.origin - ray.origin,
           .direction_x = across.direction - ray.direction,
           .origin_y = upward.origin - ray.origin,

@@ -27,6 +27,7 @@
 #include <glint/material/two_sided.hpp>
 #include <glint/texture/any_texture.hpp>
 #include <glint/texture/checkerboard.hpp>
+#include <glint/texture/concepts.hpp>
 #include <glint/texture/constant.hpp>
 #include <glint/texture/image_texture.hpp>
 
@@ -92,6 +93,8 @@ static_assert(Bsdf<SceneLayerBsdf>);
 
 /// A plain material as a part of others.
 struct SceneLayer {
+  static constexpr bool asks_for_footprints = glint::asks_for_footprints<ScenePlainMaterial>;
+
   ScenePlainMaterial material{};
   bool two_sided = false;
 
