@@ -50,6 +50,21 @@ struct BsdfTrials {
   }
 };
 
+/// Coats over something diffuse, and fuzz.
+inline void try_layers(BsdfTrials& trials) {
+  using namespace glint;
+  BsdfLawOptions front{.seen_from = SeenFrom::Front, .least_albedo = 0.9999F};
+  trials("CoatedDiffuse, η = 1.5", "0.9999", CoatedDiffuse{Rgb{1}, 1.5F}, front);
+  front.tolerance = 5e-3F;
+  front.least_albedo = 0.98F;
+  trials("RoughCoatedDiffuse&lt;Ggx&gt;, α = 0.25", "0.98", RoughCoatedDiffuse<Ggx>{Rgb{1}, {0.25F, 0.25F}, 1.5F},
+         front);
+  front.least_albedo = 0;
+  trials("RoughCoatedDiffuse&lt;Beckmann&gt;, α = 0.4", "",
+         RoughCoatedDiffuse<Beckmann>{{0.8F, 0.4F, 0.1F}, {0.4F, 0.4F}, 1.5F}, front);
+  trials("Sheen, roughness 0.5", "", Sheen{.roughness = 0.5F}, front);
+}
+
 /// BSDFs made of others.
 inline void try_compositions(BsdfTrials& trials) {
   using namespace glint;
@@ -123,6 +138,9 @@ inline void try_principled(BsdfTrials& trials) {
   trials("RoughDielectric&lt;Beckmann&gt;, α = 0.3", "", RoughDielectric<Beckmann>{.distribution = {0.3F, 0.3F}},
          frosted);
   trials("RoughDielectric&lt;Ggx&gt;, α = 0.3", "", RoughDielectric<Ggx>{.distribution = {0.3F, 0.3F}}, frosted);
+  try_layers(trials);
+  try_compositions(trials);
+  try_principled(trials);
   return trials.all_hold;
 }
 
