@@ -60,9 +60,11 @@
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/pass/validate.hpp>
 #include <glint/bvh/query/hits.hpp>
+#include <glint/bvh/query/leaf_pairs.hpp>
 #include <glint/bvh/query/nearest.hpp>
 #include <glint/bvh/query/overlap.hpp>
 #include <glint/bvh/query/packet.hpp>
+#include <glint/bvh/query/pairs.hpp>
 #include <glint/bvh/query/ray.hpp>
 #include <glint/bvh/query/region.hpp>
 #include <glint/bvh/query/triangle_block.hpp>
@@ -129,6 +131,7 @@
 #include <glint/geometry/transform.hpp>
 #include <glint/geometry/triangle.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
+#include <glint/geometry/triangle_triangle.hpp>
 #include <glint/integrator/ambient_occlusion.hpp>
 #include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/concepts.hpp>
@@ -203,6 +206,7 @@
 #include <glint/math/frame.hpp>
 #include <glint/math/interval.hpp>
 #include <glint/math/low_discrepancy.hpp>
+#include <glint/math/orientation.hpp>
 #include <glint/math/random.hpp>
 #include <glint/math/rounding.hpp>
 #include <glint/math/solve.hpp>
