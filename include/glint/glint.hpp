@@ -68,6 +68,7 @@
 #include <glint/bvh/query/ray.hpp>
 #include <glint/bvh/query/region.hpp>
 #include <glint/bvh/query/triangle_block.hpp>
+#include <glint/bvh/query/winding.hpp>
 #include <glint/bvh/ray_batch.hpp>
 #include <glint/bvh/traverse.hpp>
 #include <glint/bvh/tree.hpp>

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <glint/geometry/box.hpp>
@@ -129,6 +130,7 @@ TEMPLATE_TEST_CASE("overlap: a quad is its halves, and a sphere is hollow", "[ge
 TEST_CASE("overlap: a primitive that says nothing is its box", "[geometry][overlap]") {
   const std::vector<Lump> lumps{{{0, 0, 0}}, {{5, 0, 0}}};
   const glint::Elements set{lumps};
+  CHECK_FALSE(set.intersect({}, 0));
   CHECK(glint::overlaps(set, 0, Aabb<float>{{0.4F, 0.4F, 0.4F}, {1, 1, 1}}));
   CHECK_FALSE(glint::overlaps(set, 1, Aabb<float>{{0.4F, 0.4F, 0.4F}, {1, 1, 1}}));
   CHECK(glint::overlaps(set, 1, Ball<float>{{4, 0, 0}, 0.5F}));
