@@ -78,6 +78,7 @@
 #include <glint/camera/orthographic.hpp>
 #include <glint/camera/panoramic.hpp>
 #include <glint/camera/perspective.hpp>
+#include <glint/camera/shutter.hpp>
 #include <glint/camera/thin_lens.hpp>
 #include <glint/camera/view_frame.hpp>
 #include <glint/color/compare.hpp>
@@ -223,6 +224,7 @@
 #include <glint/sampler/sobol.hpp>
 #include <glint/sampler/stratified.hpp>
 #include <glint/sampler/z_sobol.hpp>
+#include <glint/scene/at_time.hpp>
 #include <glint/scene/concepts.hpp>
 #include <glint/scene/counted.hpp>
 #include <glint/scene/interaction.hpp>

@@ -12,6 +12,7 @@
 
 #include <glint/camera/concepts.hpp>
 #include <glint/camera/neighbor_rays.hpp>
+#include <glint/camera/shutter.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/film/film.hpp>
 #include <glint/film/splats.hpp>
@@ -20,6 +21,7 @@
 #include <glint/render/report.hpp>
 #include <glint/sampler/concepts.hpp>
 #include <glint/sampler/independent.hpp>
+#include <glint/scene/at_time.hpp>
 #include <glint/scene/counted.hpp>
 #include <glint/scene/path_footprint.hpp>
 
@@ -31,7 +33,8 @@ namespace detail {
 template <SceneLike S, RayGenerator G, typename I, SampleSequence Q>
 struct RenderTask {
   using Stream = decltype(std::declval<const Q&>().stream(Vec2i{}, 0));
-  static constexpr bool splats = SplattingIntegratorFor<I, Counted<S>, Stream, G>;
+  using Seen = std::conditional_t<TimedRayGenerator<G>, AtTime<S>, S>;
+  static constexpr bool splats = SplattingIntegratorFor<I, Counted<Seen>, Stream, G>;
 
   const S& scene;
   const G& generator;
@@ -45,7 +48,6 @@ struct RenderTask {
   template <typename Block>
   [[nodiscard]] bool render_pixel(Block& block, Vec2i pixel, RenderReport& report) const {
     if (options.stop.stop_requested()) return false;
-    const Counted counted{scene, report.rays};
     const Vec2<float> scale = Vec2<float>(1) / Vec2<float>(film_size);
     const Vec2<float> step = scale * footprint_width();
     for (int sample = 0; sample < options.samples; ++sample) {
@@ -54,7 +56,7 @@ struct RenderTask {
       const Vec2<float> lens = sampler.next_2d();
       const Vec2<float> at = Vec2<float>(pixel) + jitter;
       const Vec2<float> film{at.x * scale.x, 1 - at.y * scale.y};
-      const Rgb value = radiance(counted, generator.ray(film, lens), sampler, report, footprint(film, lens, step));
+      const Rgb value = seen_through(film, lens, sampler, report, footprint(film, lens, step));
       report.dropped += block.add(at, value) ? 0U : 1U;
     }
     report.samples += static_cast<std::uint64_t>(options.samples);
@@ -75,8 +77,21 @@ struct RenderTask {
     }
   }
 
+  /// The radiance along a ray of the camera: at the ray's time, which is drawn where there is a shutter.
   template <typename R, typename P>
-  [[nodiscard]] Rgb radiance(const Counted<S>& counted, const Ray<float>& ray, R& sampler, RenderReport& report,
+  [[nodiscard]] Rgb seen_through(const Vec2<float>& film, const Vec2<float>& lens, R& sampler, RenderReport& report,
+                                 const P& path) const {
+    if constexpr (TimedRayGenerator<G>) {
+      const Ray<float> ray = generator.ray(film, lens, sampler.next_1d());
+      const AtTime now{scene, ray.time};
+      return radiance(Counted{now, report.rays}, ray, sampler, report, path);
+    } else {
+      return radiance(Counted{scene, report.rays}, generator.ray(film, lens), sampler, report, path);
+    }
+  }
+
+  template <typename R, typename P>
+  [[nodiscard]] Rgb radiance(const Counted<Seen>& counted, const Ray<float>& ray, R& sampler, RenderReport& report,
                              const P& path) const {
     if constexpr (splats) {
       const auto splat = [&](const Vec2<float>& film, const Rgb& value) {
