@@ -53,10 +53,14 @@
 #include <glint/bvh/packet_leaves.hpp>
 #include <glint/bvh/packet_traverse.hpp>
 #include <glint/bvh/pass/depth_first.hpp>
+#include <glint/bvh/pass/graft.hpp>
+#include <glint/bvh/pass/insert.hpp>
 #include <glint/bvh/pass/merge_leaves.hpp>
+#include <glint/bvh/pass/rebuild.hpp>
 #include <glint/bvh/pass/refit.hpp>
 #include <glint/bvh/pass/refit_layout.hpp>
 #include <glint/bvh/pass/reinsert.hpp>
+#include <glint/bvh/pass/remove.hpp>
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/pass/validate.hpp>
 #include <glint/bvh/query/hits.hpp>
