@@ -120,7 +120,8 @@ void upper_level(benchmark::State& state, const Update& update) {
   const BruteForce every{Instanced{stones}};
   std::size_t hits = 0;
   for (int i = 0; i < 200; ++i) {
-    const Ray<float> ray{.origin = {float(i) / 5, 9, float(i % 25)}, .direction = {0.1F, -1, 0.2F}};
+    const int row = i / 40;
+    const Ray<float> ray{.origin = {float(i % 40), 9, float(row)}, .direction = {0.02F, -1, 0.02F}};
     const auto hit = world.closest(ray);
     if (!bench::verify(state, hit == every.closest(ray), "a ray meets something else")) return;
     hits += std::size_t(hit.has_value());
