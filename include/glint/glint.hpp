@@ -105,12 +105,16 @@
 #include <glint/film/filter.hpp>
 #include <glint/film/splats.hpp>
 #include <glint/geometry/aabb.hpp>
+#include <glint/geometry/bilinear_patch.hpp>
 #include <glint/geometry/box.hpp>
 #include <glint/geometry/boxes.hpp>
 #include <glint/geometry/capsule.hpp>
 #include <glint/geometry/clip.hpp>
 #include <glint/geometry/concepts.hpp>
 #include <glint/geometry/cone.hpp>
+#include <glint/geometry/curve.hpp>
+#include <glint/geometry/curve_search.hpp>
+#include <glint/geometry/curve_set.hpp>
 #include <glint/geometry/cylinder.hpp>
 #include <glint/geometry/disk.hpp>
 #include <glint/geometry/elements.hpp>
@@ -127,6 +131,7 @@
 #include <glint/geometry/ray_triangle.hpp>
 #include <glint/geometry/ray_triangle_pack.hpp>
 #include <glint/geometry/region.hpp>
+#include <glint/geometry/round_curve.hpp>
 #include <glint/geometry/set/filtered.hpp>
 #include <glint/geometry/set/instanced.hpp>
 #include <glint/geometry/set/joined.hpp>
