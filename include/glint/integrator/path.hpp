@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
-
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/light_search.hpp>
 #include <glint/integrator/path_limits.hpp>
+#include <glint/integrator/roulette.hpp>
 #include <glint/scene/path_footprint.hpp>
 
 namespace glint {
@@ -58,24 +57,12 @@ struct Path {
       const auto scattered = at->bsdf.sample(wo, lobe, sampler.next_2d());
       if (!scattered) break;
       throughput *= scattered->weight;
-      if (!survives(throughput, sampler)) break;
+      if (!survives_roulette(throughput, roulette_below, sampler)) break;
       if (!left.take(wo, *scattered)) last = segments + 1;
       arrival = {at->surface.position, at->frame.z, scattered->pdf, next_event && scattered->lobe != Lobe::Specular};
       ray = at->leave(at->to_world(scattered->wi));
       footprint.scatter(*at, *scattered, ray.direction);
     }
-  }
-
- private:
-  /// Russian roulette on the throughput; a survivor stands for those that did not.
-  template <Sampler R>
-  [[nodiscard]] bool survives(Rgb& throughput, R& sampler) const {
-    const float strength = max_component(throughput);
-    if (strength >= roulette_below) return true;
-    const float chance = strength / roulette_below;
-    if (!(sampler.next_1d() < chance)) return false;
-    throughput /= chance;
-    return true;
   }
 };
 
