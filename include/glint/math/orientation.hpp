@@ -40,7 +40,7 @@ class ExactSum {
   [[nodiscard]] int sign() const noexcept { return size_ == 0 ? 0 : parts_[size_ - 1] > 0 ? 1 : -1; }
 
  private:
-  std::array<double, 24 * 4> parts_{};
+  std::array<double, 96> parts_{};
   std::size_t size_ = 0;
 };
 

@@ -114,15 +114,15 @@ template <typename Pairs, typename Both>
   std::vector<Both> tasks{root};
   for (int round = 0; round < 4 && tasks.size() < enough; ++round) {
     std::vector<Both> next;
+    const auto add = [&](const Both& both) {
+      next.push_back(both);
+      return Walk::Continue;
+    };
     for (const Both& task : tasks) {
-      if (task.a.is_leaf() && task.b.is_leaf()) {
-        next.push_back(task);
-        continue;
-      }
-      pairs.expand(task, [&](const Both& both) {
-        next.push_back(both);
-        return Walk::Continue;
-      });
+      if (task.a.is_leaf() && task.b.is_leaf())
+        add(task);
+      else
+        pairs.expand(task, add);
     }
     tasks = std::move(next);
   }

@@ -139,8 +139,8 @@ class RegionQuery<Frustum<T>, T, N> {
       P size = P::broadcast(std::abs(side.offset));
       for (int axis = 0; axis < 3; ++axis) {
         const T along = component(side.normal, axis);
-        const P a = boxes.planes[std::size_t(axis + (along < T(0) ? 0 : 3))] * P::broadcast(along);
-        const P b = boxes.planes[std::size_t(axis + (along < T(0) ? 3 : 0))] * P::broadcast(along);
+        const P a = boxes.planes[std::size_t(axis) + (along < T(0) ? 0U : 3U)] * P::broadcast(along);
+        const P b = boxes.planes[std::size_t(axis) + (along < T(0) ? 3U : 0U)] * P::broadcast(along);
         highest = highest + a;
         lowest = lowest + b;
         size = size + max(max(a, zero - a), max(b, zero - b));
