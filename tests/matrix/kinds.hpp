@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <glint/geometry/bilinear_patch.hpp>
 #include <glint/geometry/box.hpp>
 #include <glint/geometry/capsule.hpp>
 #include <glint/geometry/cone.hpp>
@@ -15,6 +16,7 @@
 #include <glint/geometry/mesh_buffers.hpp>
 #include <glint/geometry/quad.hpp>
 #include <glint/geometry/ray_triangle.hpp>
+#include <glint/geometry/round_curve.hpp>
 #include <glint/geometry/sphere.hpp>
 #include <glint/geometry/triangle.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
@@ -94,6 +96,27 @@ template <typename T>
   });
 }
 
+template <typename T>
+[[nodiscard]] auto patches() {
+  return some<T>(9, [](const auto& vec, T size) {
+    const Vec3<T> corner = vec();
+    const Vec3<T> u = vec() * (T(4) * size);
+    const Vec3<T> v = vec() * (T(4) * size);
+    return BilinearPatch<T>{corner, corner + u, corner + v, corner + u + v + vec() * size};
+  });
+}
+template <typename T>
+[[nodiscard]] auto curves() {
+  return some<T>(10, [](const auto& vec, T size) {
+    const Vec3<T> start = vec();
+    const Vec3<T> step = normalized(vec()) * T(0.4);
+    const Vec3<T> bend = normalized(vec()) * T(0.05);
+    BezierCurve<T> curve;
+    for (std::size_t i = 0; i < 4; ++i) curve.points[i] = {start + step * T(i) + bend * T(i * (3 - i)), size * T(0.25)};
+    return RoundCurve<T>{curve};
+  });
+}
+
 /// Triangles that a mesh has in buffers, and the test they are asked with.
 template <typename T, typename Test>
 struct MeshOf {
@@ -152,6 +175,8 @@ template <typename T>
   add(cylinders<T>());
   add(cones<T>());
   add(capsules<T>());
+  add(patches<T>());
+  add(curves<T>());
   return all;
 }
 

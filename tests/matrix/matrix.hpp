@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -18,6 +20,7 @@
 #include <glint/geometry/set/filtered.hpp>
 #include <glint/geometry/set/instanced.hpp>
 #include <glint/geometry/set/joined.hpp>
+#include <glint/geometry/set/masked.hpp>
 #include <glint/math/affine.hpp>
 
 #include <matrix/kinds.hpp>
@@ -51,7 +54,7 @@ void check_set(const std::string& adaptor, const S& set, const Layouts& layouts)
   const auto trees = trees_over(set);
   const Oracle<S> oracle(set, trees.front().second.nodes.front().bounds, 40);
   CAPTURE(adaptor);
-  CHECK(oracle.hit_count() > 20);
+  CHECK(oracle.hit_count() > 10);
   const auto check_layout = [&](const auto& named) {
     for (const auto& [builder, tree] : trees) {
       CAPTURE(builder, named.first);
@@ -75,10 +78,13 @@ template <PrimitiveSet S, typename Layouts>
 void check_adaptors(const S& set, const Layouts& layouts) {
   using T = typename S::Scalar;
   const auto spheres = kinds::spheres<T>();
+  std::vector<std::uint32_t> masks(set.size(), ~0U);
+  for (std::size_t i = 0; i < masks.size(); i += 3) masks[i] = 0;
   const Bvh object{set};
   const std::vector placed{place(object, Affine<T>{}), place(object, skewed<T>())};
   check_set("none", set, layouts);
   check_set("Filtered", Filtered{set, two_of_three}, layouts);
+  check_set("Masked", Masked{set, masks}, layouts);
   check_set("Joined", Joined{Elements{spheres}, set}, layouts);
   check_set("Instanced", Instanced{placed}, layouts);
 }

@@ -27,7 +27,9 @@ namespace glint {
 /// Parametrization: uv = (s along the curve, across it). Across is 1/2 where the ray looks at the middle, 0 and 1 where
 ///                  it grazes. The tangent is along the curve.
 ///
-/// Requires: radii ≥ 0, and a curve that bends, where it bends most, with more than its own radius.
+/// Requires: radii ≥ 0, and a curve that bends gently: |p′|² − r′² > r (√2 |p″| + |r″|) all along it, so that its
+/// radius
+///           of curvature is at least √2 of its own where it has one width.
 template <std::floating_point T>
 struct RoundCurve {
   BezierCurve<T> curve;
