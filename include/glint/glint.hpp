@@ -2,6 +2,7 @@
 #pragma once
 /// Everything but glint/testing/. A program that names the headers it uses compiles faster and needs fewer libraries:
 /// those outside io/ and core/tbb_executor.hpp need GLM alone.
+#include <glint/bsdf/albedo.hpp>
 #include <glint/bsdf/blend.hpp>
 #include <glint/bsdf/coated_diffuse.hpp>
 #include <glint/bsdf/compensated.hpp>
@@ -87,7 +88,9 @@
 #include <glint/camera/view_frame.hpp>
 #include <glint/color/compare.hpp>
 #include <glint/color/image.hpp>
+#include <glint/color/layers.hpp>
 #include <glint/color/rgb.hpp>
+#include <glint/color/rgb_sum.hpp>
 #include <glint/color/srgb.hpp>
 #include <glint/color/tone.hpp>
 #include <glint/color/tone_curve.hpp>
@@ -103,6 +106,7 @@
 #include <glint/core/uninitialized.hpp>
 #include <glint/film/film.hpp>
 #include <glint/film/filter.hpp>
+#include <glint/film/sample_statistics.hpp>
 #include <glint/film/splats.hpp>
 #include <glint/geometry/aabb.hpp>
 #include <glint/geometry/bilinear_patch.hpp>
@@ -144,6 +148,8 @@
 #include <glint/geometry/triangle_mesh.hpp>
 #include <glint/geometry/triangle_triangle.hpp>
 #include <glint/integrator/ambient_occlusion.hpp>
+#include <glint/integrator/aov.hpp>
+#include <glint/integrator/aov_layers.hpp>
 #include <glint/integrator/bdpt.hpp>
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/direct.hpp>
@@ -152,6 +158,7 @@
 #include <glint/integrator/intersection_test.hpp>
 #include <glint/integrator/light_scattering.hpp>
 #include <glint/integrator/light_search.hpp>
+#include <glint/integrator/light_shares.hpp>
 #include <glint/integrator/light_tracer.hpp>
 #include <glint/integrator/mis.hpp>
 #include <glint/integrator/normals.hpp>
@@ -160,6 +167,7 @@
 #include <glint/integrator/path_limits.hpp>
 #include <glint/integrator/roulette.hpp>
 #include <glint/io/error.hpp>
+#include <glint/io/exr_layers.hpp>
 #include <glint/io/file.hpp>
 #include <glint/io/image.hpp>
 #include <glint/io/image_exr.hpp>

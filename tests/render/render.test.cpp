@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <glint/render/render.hpp>  // first, so the header proves it stands alone
 
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -8,24 +10,41 @@
 
 #include <support/catch.hpp>
 
+#include <glint/bsdf/mirror.hpp>
 #include <glint/bvh/bvh.hpp>
+#include <glint/camera/orthographic.hpp>
+#include <glint/camera/panoramic.hpp>
 #include <glint/camera/perspective.hpp>
+#include <glint/camera/thin_lens.hpp>
+#include <glint/core/one_of.hpp>
 #include <glint/core/tbb_executor.hpp>
 #include <glint/geometry/elements.hpp>
+#include <glint/geometry/quad.hpp>
 #include <glint/geometry/sphere.hpp>
+#include <glint/geometry/triangle_mesh.hpp>
 #include <glint/integrator/bdpt.hpp>
+#include <glint/integrator/direct.hpp>
+#include <glint/integrator/normals.hpp>
 #include <glint/integrator/path.hpp>
 #include <glint/light/environment.hpp>
+#include <glint/material/material_table.hpp>
 #include <glint/sampler/stratified.hpp>
+#include <glint/sampler/z_sobol.hpp>
 #include <glint/scene/scene.hpp>
+#include <glint/testing/random_scenes.hpp>
 
+namespace aov = glint::aov;
+using glint::AovLayers;
 using glint::Film;
 using glint::Path;
 using glint::Perspective;
+using glint::Ray;
 using glint::RenderOptions;
 using glint::Rgb;
 using glint::Serial;
+using glint::Vec2;
 using glint::Vec2i;
+using glint::Vec3;
 
 namespace {
 
@@ -79,6 +98,125 @@ struct StopsIt {
     return Rgb{1};
   }
 };
+
+/// Radiance between 0 and 1, evenly.
+struct Uniform {
+  Rgb radiance(const auto& /*scene*/, const Ray<float>& /*ray*/, glint::Sampler auto& sampler) const {
+    return sampler.next_1d();
+  }
+};
+/// Broken for one ray in two.
+struct HalfBroken {
+  Rgb radiance(const auto& /*scene*/, const Ray<float>& /*ray*/, glint::Sampler auto& sampler) const {
+    return sampler.next_1d() < 0.5F ? std::numeric_limits<float>::quiet_NaN() : 1.0F;
+  }
+};
+
+/// All variables, but for those that not every integrator has.
+auto surface_layers(Vec2i size) {
+  return AovLayers{size,
+                   aov::Albedo{},
+                   aov::Normal{},
+                   aov::DenoiseAlbedo{},
+                   aov::DenoiseNormal{},
+                   aov::Depth{},
+                   aov::Position{},
+                   aov::Uv{},
+                   aov::PrimitiveId{},
+                   aov::InstanceId{},
+                   aov::MaterialId{},
+                   aov::SampleCount{}};
+}
+auto light_layers(Vec2i size) {
+  return AovLayers{size,          aov::Albedo{},   aov::DenoiseAlbedo{}, aov::PrimitiveId{}, aov::Emission{},
+                   aov::Direct{}, aov::Indirect{}, aov::Variance{}};
+}
+
+/// Balls of clay and of mirror under a sky.
+const auto mixed_scene = [] {
+  using Surface = glint::OneOf<glint::Lambertian, glint::Mirror>;
+  return glint::Scene{glint::Bvh{glint::Elements{spheres}},
+                      glint::MaterialTable<Surface>{{glint::Lambertian{Rgb{0.7F}}, glint::Mirror{Rgb{0.9F}}}, {0, 1}},
+                      glint::ConstantEnvironment{Rgb{1}}};
+}();
+
+/// Fails unless the film's image is the one without layers, to the last bit. Gives the layers.
+template <typename I, typename L>
+glint::Layers check_same_image(const I& integrator, L layers, const auto& executor) {
+  const glint::GaussianFilter wide{.radius = 1.5F};
+  const RenderOptions options{.samples = 5, .tile_size = 16};
+  Film plain{{50, 37}, wide};
+  const auto report = render(mixed_scene, camera, integrator, plain, options, executor, glint::ZSobol{});
+  Film film{{50, 37}, wide};
+  const auto with_layers = render(mixed_scene, camera, integrator, film, layers, options, executor, glint::ZSobol{});
+  CHECK((bytes(film.develop()) == bytes(plain.develop())));
+  CHECK(with_layers.samples == report.samples);
+  CHECK(with_layers.rays > report.rays);
+  return std::move(layers).layers();
+}
+
+/// The mean of what a pixel's samples meet on the plane z = 0, in closed form and double; nothing where none does.
+struct OnPlane {
+  Vec3<double> position{0.0};
+  double depth = 0;
+  int hits = 0;
+
+  void add(const Ray<float>& ray, double reach) {
+    const Vec3<double> origin(ray.origin);
+    const Vec3<double> direction(ray.direction);
+    const double t = -origin.z / direction.z;
+    const Vec3<double> p = origin + t * direction;
+    if (!(t > 0) || std::abs(p.x) > reach || std::abs(p.y) > reach) return;
+    position += p;
+    depth += glm::length(p - origin);
+    ++hits;
+  }
+};
+
+/// Renders the wall [−10, 10]² in the plane z = 0 and compares every pixel with the closed form.
+template <typename C>
+void check_plane(const C& camera_of_wall) {
+  const std::vector<glint::Quad<float>> wall{{{-10, -10, 0}, {20, 0, 0}, {0, 20, 0}}};
+  const glint::Scene wall_scene{glint::Bvh{glint::Elements{wall}}};
+  const Vec2i size{24, 16};
+  constexpr int samples = 4;
+  const glint::Independent sequence{.seed = 3};
+  Film film{size};
+  AovLayers layers{size, aov::Depth{}, aov::Position{}, aov::Uv{}, aov::Normal{}};
+  render(wall_scene, camera_of_wall, Constant{}, film, layers, {.samples = samples}, Serial{}, sequence);
+  const auto rays = camera_of_wall.rays(1.5F);
+  int hit_pixels = 0;
+  for (int i = 0; i < size.x * size.y; ++i) {
+    const Vec2i pixel{i % size.x, i / size.x};
+    OnPlane expected;
+    for (int sample = 0; sample < samples; ++sample) {
+      auto sampler = sequence.stream(pixel, sample);
+      const Vec2<float> jitter = sampler.next_2d();
+      const Vec2<float> lens = sampler.next_2d();
+      const Vec2<float> at = (Vec2<float>(pixel) + jitter) / Vec2<float>(size);
+      expected.add(rays.ray({at.x, 1 - at.y}, lens), 10);
+    }
+    const auto shown = [&](const char* channel) {
+      return static_cast<double>(find_channel(layers.layers(), channel)->at(static_cast<std::size_t>(i)));
+    };
+    CAPTURE(pixel.x, pixel.y, expected.hits);
+    CHECK(shown("N.Z") == Approx(expected.hits / double{samples}));
+    if (expected.hits == 0) {
+      CHECK(std::isinf(shown("Z")));
+      continue;
+    }
+    ++hit_pixels;
+    const Vec3<double> mean = expected.position / static_cast<double>(expected.hits);
+    // In float: a few roundings of coordinates up to 10, magnified by the slant of the ray.
+    CHECK(shown("Z") == Approx(expected.depth / expected.hits).epsilon(1e-5));
+    CHECK(shown("P.X") == Approx(mean.x).margin(1e-4));
+    CHECK(shown("P.Y") == Approx(mean.y).margin(1e-4));
+    CHECK(shown("P.Z") == Approx(0).margin(1e-5));
+    CHECK(shown("uv.U") == Approx((mean.x + 10) / 20).margin(1e-5));
+    CHECK(shown("uv.V") == Approx((mean.y + 10) / 20).margin(1e-5));
+  }
+  CHECK(hit_pixels > 40);
+}
 
 }  // namespace
 
@@ -205,4 +343,147 @@ TEST_CASE("render: no samples leave the film black", "[render]") {
   Film film{{4, 4}};
   CHECK(render(scene, camera, Constant{}, film, {.samples = 0}).samples == 0);
   CHECK(film.develop()(1, 1) == Rgb{0});
+}
+
+TEST_CASE("render: layers beside the film leave the image as it is, to the last bit", "[render][aov]") {
+  const Serial serial;
+  check_same_image(Path{}, light_layers({50, 37}), serial);
+  check_same_image(Path{.strategy = glint::LightStrategy::RandomWalk}, light_layers({50, 37}), serial);
+  check_same_image(Path{.clamp = {.indirect = 0.2F}}, light_layers({50, 37}), serial);
+  check_same_image(glint::Direct{}, light_layers({50, 37}), serial);
+  check_same_image(Path{}, surface_layers({50, 37}), serial);
+  check_same_image(glint::Bdpt{.max_depth = 4}, surface_layers({50, 37}), serial);
+  check_same_image(glint::Normals{}, surface_layers({50, 37}), serial);
+}
+
+TEST_CASE("render: layers have the same bits for every number of threads", "[render][aov]") {
+  const auto expected = check_same_image(Path{}, light_layers({50, 37}), Serial{});
+  CHECK(check_same_image(Path{}, light_layers({50, 37}), glint::TbbExecutor(4)) == expected);
+  const auto surfaces = check_same_image(glint::Bdpt{}, surface_layers({50, 37}), Serial{});
+  CHECK(check_same_image(glint::Bdpt{}, surface_layers({50, 37}), glint::TbbExecutor(4)) == surfaces);
+}
+
+TEST_CASE("render: depth, position and texture coordinates are those of the plane, by every camera", "[render][aov]") {
+  check_plane(Perspective{.eye = {1, -2, 7}, .target = {0, 1, 0}});
+  check_plane(glint::ThinLens{{1, -2, 7}, {0, 1, 0}, {0, 1, 0}, 0.9F, 0.3F, 7});
+  check_plane(glint::Orthographic{.eye = {1, -2, 7}, .target = {0, 1, 0}, .height = 9});
+  check_plane(glint::Panoramic{.eye = {1, -2, 3}, .target = {0, 1, 0}});
+}
+
+TEST_CASE("render: ids are those of the closest primitive at pixel centers, whatever the samples", "[render][aov]") {
+  const auto soup = glint::testing::triangle_soup<float>(300, 5);
+  glint::MaterialTable<glint::Lambertian> materials{.materials = {{}, {}, {}}};
+  for (std::uint32_t i = 0; i < 300; ++i) materials.of_primitive.push_back(i % 3);
+  const glint::Scene soup_scene{glint::Bvh{view(soup)}, materials};
+  const Perspective eye{.eye = {0.5F, 0.4F, 3}};
+  const Vec2i size{60, 40};
+  Film film{size};
+  AovLayers layers{size, aov::PrimitiveId{}, aov::MaterialId{}};
+  render(soup_scene, eye, Constant{}, film, layers, {.samples = 1});
+  const auto& primitives = std::get<std::vector<std::uint32_t>>(layers.layers().channels[0].values);
+  const auto& of_material = std::get<std::vector<std::uint32_t>>(layers.layers().channels[1].values);
+  const auto rays = eye.rays(1.5F);
+  int hits = 0;
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) {
+      const Vec2<float> center{(static_cast<float>(x) + 0.5F) * (1 / 60.0F),
+                               1 - (static_cast<float>(y) + 0.5F) * (1 / 40.0F)};
+      const auto hit = soup_scene.geometry().closest(rays.ray(center, {0.5F, 0.5F}));
+      const auto i = static_cast<std::size_t>(y * size.x + x);
+      REQUIRE(primitives[i] == (hit ? hit->primitive : 4'294'967'295U));
+      REQUIRE(of_material[i] == (hit ? hit->primitive % 3 : 4'294'967'295U));
+      hits += hit ? 1 : 0;
+    }
+  }
+  CHECK(hits > 100);
+}
+
+TEST_CASE("render: emission, direct and indirect light make up the picture", "[render][aov]") {
+  const auto layers_of = [](const auto& integrator) {
+    Film film{{50, 37}};
+    auto layers = light_layers(film.size());
+    render(mixed_scene, camera, integrator, film, layers, {.samples = 6});
+    const glint::Image image = film.develop();
+    const auto part = [&](const char* layer) { return *image_of(layers.layers(), layer); };
+    const glint::Image emission = part("emission");
+    const glint::Image direct = part("direct");
+    const glint::Image indirect = part("indirect");
+    for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+      const Rgb sum = emission.pixels()[i] + direct.pixels()[i] + indirect.pixels()[i];
+      REQUIRE(sum.g == Approx(image.pixels()[i].g).epsilon(1e-6));  // rounded a few times
+    }
+    return std::move(layers).layers();
+  };
+  const glint::Layers of_path = layers_of(Path{});
+  // The top row sees the sky alone; the middle of the film the ball of clay, which is no lamp.
+  const glint::Image emission = *image_of(of_path, "emission");
+  const glint::Image indirect = *image_of(of_path, "indirect");
+  CHECK(emission(25, 0) == Rgb{1});
+  CHECK(emission(24, 20) == Rgb{0});
+  CHECK((*image_of(of_path, "direct"))(24, 20).g > 0.1F);
+  double sum = 0;
+  for (const Rgb& pixel : indirect.pixels()) sum += static_cast<double>(pixel.g);
+  CHECK(sum > 1);
+  layers_of(glint::Direct{});
+}
+
+TEST_CASE("render: the variance of a mean of uniform numbers is 1 / 12 over their count", "[render][aov]") {
+  constexpr int n = 16;
+  Film film{{64, 64}};
+  AovLayers layers{film.size(), aov::Variance{}, aov::SampleCount{}};
+  render(scene, camera, Uniform{}, film, layers, {.samples = n});
+  const glint::Image variance = *image_of(layers.layers(), "variance");
+  double mean_estimate = 0;
+  double spread = 0;  // of the pixels' means around ½
+  for (std::size_t i = 0; i < variance.pixels().size(); ++i) {
+    mean_estimate += static_cast<double>(variance.pixels()[i].g) / 4096;
+    spread += std::pow(static_cast<double>(film.develop().pixels()[i].g) - 0.5, 2) / 4096;
+    REQUIRE(layers.layers().channels[3].at(i) == n);
+  }
+  const double expected = 1.0 / 12 / n;
+  // An estimate from 16 uniform numbers has the relative variance 2/15 − 1.2/16 = 0.058; of 4096 the mean 0.0038².
+  CHECK(std::abs(mean_estimate / expected - 1) < 4 * 0.0038);
+  CHECK(std::abs(spread / expected - 1) < 4 * std::sqrt(2.0 / 4096));
+}
+
+TEST_CASE("render: the variance is that of pixels over many seeds", "[render][aov]") {
+  constexpr int seeds = 200;
+  const Vec2i size{4, 4};
+  std::vector<glint::SampleStatistics> over_seeds(16);
+  double estimated = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    Film film{size};
+    AovLayers layers{size, aov::Variance{}};
+    render(mixed_scene, camera, Path{}, film, layers, {.samples = 16}, Serial{},
+           glint::Independent{.seed = static_cast<std::uint64_t>(seed)});
+    const glint::Image image = film.develop();
+    for (std::size_t i = 0; i < 16; ++i) {
+      over_seeds[i].add(image.pixels()[i]);
+      estimated += static_cast<double>(layers.layers().channels[1].at(i)) / seeds;
+    }
+  }
+  double measured = 0;
+  for (const auto& pixel : over_seeds) measured += static_cast<double>(pixel.variance_of_mean().g) * seeds;
+  // A variance from k numbers is off by √(2 / (k − 1)) where they are Gaussian, as means of 16 nearly are: by a tenth
+  // for one pixel of 200 seeds, by less for all. Four times that for the brightest of them alone is generous.
+  CHECK(measured > 0);
+  CHECK(std::abs(estimated / measured - 1) < 0.2);
+}
+
+TEST_CASE("render: samples that are not finite are in no layer", "[render][aov]") {
+  Film film{{8, 8}};
+  AovLayers layers{film.size(), aov::SampleCount{}, aov::Variance{}};
+  const auto report = render(scene, camera, HalfBroken{}, film, layers, {.samples = 10});
+  double counted = 0;
+  for (std::size_t i = 0; i < 64; ++i) counted += static_cast<double>(layers.layers().channels[0].at(i));
+  CHECK(report.dropped > 100);
+  CHECK(counted == 640 - static_cast<double>(report.dropped));
+  CHECK(layers.layers().channels[1].at(0) == 0);
+}
+
+TEST_CASE("render: the report says where light was clamped", "[render]") {
+  Film film{{4, 4}};
+  CHECK_FALSE(render(scene, camera, Path{}, film, {.samples = 1}).clamped);
+  CHECK(render(scene, camera, Path{.clamp = {.direct = 1}}, film, {.samples = 1}).clamped);
+  CHECK_FALSE(render(scene, camera, Constant{}, film, {.samples = 1}).clamped);
 }

@@ -21,10 +21,13 @@ TEST_CASE("counted scene: answers as the scene does, and counts the rays", "[sce
   CHECK(counted.occluded({}));
   CHECK_FALSE(counted.occluded({.direction = {0, 0, 1}}));
   CHECK(rays == 3);
+  CHECK(counted.closest({}) == scene.closest({}));
+  CHECK(rays == 4);
+  CHECK(&counted.materials() == &scene.materials());
   CHECK(counted.background({0, 0, 1}) == scene.background({0, 0, 1}));
   CHECK(counted.light_count() == 1);
   CHECK(counted.light(0) == scene.light(0));
   CHECK(&counted.light_sampler() == &scene.light_sampler());
   CHECK(counted.infinite_lights().empty());
-  CHECK(rays == 3);
+  CHECK(rays == 4);
 }

@@ -31,6 +31,8 @@ struct Lambertian {
     return BsdfSample{wi, reflectance, wi.z * inv_pi<float>, Lobe::Diffuse};
   }
 
+  [[nodiscard]] constexpr Rgb albedo(const Vec3<float>& wo) const noexcept { return wo.z > 0.0F ? reflectance : Rgb{}; }
+
   [[nodiscard]] static constexpr bool is_specular() noexcept { return false; }
 
   [[nodiscard]] friend constexpr bool operator==(const Lambertian&, const Lambertian&) noexcept = default;

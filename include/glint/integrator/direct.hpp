@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <glint/color/rgb_sum.hpp>
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/light_search.hpp>
 #include <glint/scene/path_footprint.hpp>
@@ -18,20 +19,28 @@ struct Direct {
   LightStrategy strategy = LightStrategy::Mis;
 
   template <SceneLike S, Sampler R, typename F = NoFootprint>
-  [[nodiscard]] Rgb radiance(const S& scene, Ray<float> ray, R& sampler, F footprint = {}) const {
+  [[nodiscard]] Rgb radiance(const S& scene, const Ray<float>& ray, R& sampler, const F& footprint = {}) const {
+    RgbSum sum;
+    const auto bring = [&](const Rgb& light, int /*segments*/) { sum.add(light); };
+    for_each_light(scene, ray, sampler, bring, footprint);
+    return sum.value();
+  }
+
+  /// The terms of `radiance` in the order of their sum: calls bring(light, segments) with what each path brings.
+  template <SceneLike S, Sampler R, typename Bring, typename F = NoFootprint>
+  void for_each_light(const S& scene, Ray<float> ray, R& sampler, const Bring& bring, F footprint = {}) const {
     const LightSearch search{strategy};
     Rgb throughput{1};
-    Rgb sum;
     Arrival arrival;
     for (int last = max_depth, segments = 1; segments <= last; ++segments) {
       const auto at = interact(scene, ray, footprint);
-      if (!at) return sum + throughput * search.found_background(scene, ray.direction, arrival);
-      if (at->light < scene.light_count()) sum += throughput * search.found_light(scene, *at, arrival);
+      if (!at) return bring(throughput * search.found_background(scene, ray.direction, arrival), segments);
+      if (at->light < scene.light_count()) bring(throughput * search.found_light(scene, *at, arrival), segments);
       if (segments == last) break;
 
       const Vec3<float> wo = at->to_local(at->wo);
       const bool next_event = search.looks_from(*at);
-      if (next_event) sum += throughput * search.looked_for_light(scene, *at, wo, sampler);
+      if (next_event) bring(throughput * search.looked_for_light(scene, *at, wo, sampler), segments + 1);
 
       const float lobe = sampler.next_1d();
       const auto scattered = at->bsdf.sample(wo, lobe, sampler.next_2d());
@@ -44,7 +53,6 @@ struct Direct {
       ray = at->leave(at->to_world(scattered->wi));
       footprint.scatter(*at, *scattered, ray.direction);
     }
-    return sum;
   }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <glint/color/rgb_sum.hpp>
 #include <glint/integrator/concepts.hpp>
 #include <glint/integrator/light_search.hpp>
 #include <glint/integrator/path_limits.hpp>
@@ -20,21 +21,28 @@ struct Path {
 
   template <SceneLike S, Sampler R, typename F = NoFootprint>
   [[nodiscard]] Rgb radiance(const S& scene, const Ray<float>& ray, R& sampler, const F& footprint = {}) const {
-    Rgb sum;
-    if (clamp.is_on()) {
-      const auto bring = [&](const Rgb& light, int segments) { sum += clamp(light, segments); };
-      for_each_light(scene, ray, sampler, bring, footprint);
-    } else {
-      const auto bring = [&](const Rgb& light, int /*segments*/) { sum += light; };
-      for_each_light(scene, ray, sampler, bring, footprint);
-    }
-    return sum;
+    RgbSum sum;
+    const auto bring = [&](const Rgb& light, int /*segments*/) { sum.add(light); };
+    for_each_light(scene, ray, sampler, bring, footprint);
+    return sum.value();
   }
 
-  /// The terms of `radiance` in the order of their sum, not clamped: calls bring(light, segments) with what each path
-  /// brings.
+  /// The terms of `radiance` in the order of their sum: calls bring(light, segments) with what each path brings.
   template <SceneLike S, Sampler R, typename Bring, typename F = NoFootprint>
-  void for_each_light(const S& scene, Ray<float> ray, R& sampler, const Bring& bring, F footprint = {}) const {
+  void for_each_light(const S& scene, const Ray<float>& ray, R& sampler, const Bring& bring,
+                      const F& footprint = {}) const {
+    if (clamp.is_on()) {
+      const auto clamped = [&](const Rgb& light, int segments) { bring(clamp(light, segments), segments); };
+      trace(scene, ray, sampler, clamped, footprint);
+    } else {
+      trace(scene, ray, sampler, bring, footprint);
+    }
+  }
+
+ private:
+  /// for_each_light, not clamped.
+  template <SceneLike S, Sampler R, typename Bring, typename F>
+  void trace(const S& scene, Ray<float> ray, R& sampler, const Bring& bring, F footprint) const {
     const LightSearch search{strategy};
     BounceLimits left = limits;
     Rgb throughput{1};

@@ -20,6 +20,7 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfRgba.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStdIO.h>
 
 #include <glint/color/image.hpp>
@@ -130,19 +131,44 @@ inline void require_uncompressed_pixels(const std::filesystem::path& path, const
   return display;
 }
 
-[[nodiscard]] inline Image read_exr_file(const std::filesystem::path& path, std::ifstream& stream) {
-  Imf::StdIFStream input(stream, path.string().c_str());
-  Imf::MultiPartInputFile file(input, 0, false);
+/// Refuses what is no flat picture of a readable size. Gives the header.
+inline const Imf::Header& require_readable_header(const std::filesystem::path& path,
+                                                  const Imf::MultiPartInputFile& file) {
   const Imf::Header& header = file.header(0);
   if (header.hasType() && Imf::isDeepData(header.type())) throw IoError(path, "holds deep data, expected flat pixels");
-  const auto& data = header.dataWindow();
-  const auto& display = header.displayWindow();
-  for (const auto& window : {data, display}) {
+  for (const auto& window : {header.dataWindow(), header.displayWindow()}) {
     require_readable_size(path, std::int64_t{window.max.x} - window.min.x + 1,
                           std::int64_t{window.max.y} - window.min.y + 1);
   }
   require_uncompressed_pixels(path, header);
-  return framed(read_exr_pixels(path, file), data, display);
+  return header;
+}
+
+/// Opens an OpenEXR file, calls f(file) and gives its result. What OpenEXR throws comes out as IoError.
+template <typename F>
+[[nodiscard]] auto with_exr_file(const std::filesystem::path& path, const F& f) {
+  std::ifstream stream = open_file(path);
+  try {
+    Imf::StdIFStream input(stream, path.string().c_str());
+    Imf::MultiPartInputFile file(input, 0, false);
+    return f(file);
+  } catch (const IoError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw IoError(path, std::string("is not a complete OpenEXR image: ") + error.what());
+  }
+}
+
+/// Calls write(stream) with a file in the place of the path, in one step. What OpenEXR throws comes out as IoError.
+template <typename F>
+void replace_exr_file(const std::filesystem::path& path, const F& write) {
+  try {
+    replace_file(path, write);
+  } catch (const IoError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw IoError(path, std::string("cannot be written: ") + error.what());
+  }
 }
 
 [[nodiscard]] inline Imf::Compression exr_compression(ExrCompression compression) noexcept {
@@ -157,6 +183,14 @@ inline void require_uncompressed_pixels(const std::filesystem::path& path, const
       break;
   }
   return Imf::ZIP_COMPRESSION;
+}
+
+/// A header without channels, which says that colors are those of Rec. 709: OpenEXR's default, spelled out.
+[[nodiscard]] inline Imf::Header exr_header(Vec2i size, ExrCompression compression) {
+  Imf::Header header(size.x, size.y);
+  header.compression() = exr_compression(compression);
+  Imf::addChromaticities(header, Imf::Chromaticities());
+  return header;
 }
 
 /// The nearest half; a finite value beyond the range stays finite.
@@ -177,9 +211,8 @@ inline void require_uncompressed_pixels(const std::filesystem::path& path, const
 /// Writes three interleaved channels; `first` is the first of each.
 template <class Channel>
 void write_exr_pixels(std::ofstream& stream, const std::filesystem::path& path, Vec2i size, Imf::PixelType type,
-                      Imf::Compression compression, std::array<const Channel*, 3> first) {
-  Imf::Header header(size.x, size.y);
-  header.compression() = compression;
+                      ExrCompression compression, std::array<const Channel*, 3> first) {
+  Imf::Header header = exr_header(size, compression);
   Imf::FrameBuffer source;
   const std::array<const char*, 3> names{"R", "G", "B"};
   const std::size_t stride = 3 * sizeof(Channel);
@@ -204,42 +237,33 @@ void write_exr_pixels(std::ofstream& stream, const std::filesystem::path& path, 
 /// Errors:   IoError where the file is missing, truncated, visibly damaged, larger than max_image_pixels, deep, or has
 ///           other channels. OpenEXR files carry no checksums: changed bits may only change pixels.
 [[nodiscard]] inline Image read_exr(const std::filesystem::path& path) {
-  std::ifstream stream = open_file(path);
-  try {
-    return detail::read_exr_file(path, stream);
-  } catch (const IoError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw IoError(path, std::string("is not a complete OpenEXR image: ") + error.what());
-  }
+  return detail::with_exr_file(path, [&](Imf::MultiPartInputFile& file) {
+    const Imf::Header& header = detail::require_readable_header(path, file);
+    return detail::framed(detail::read_exr_pixels(path, file), header.dataWindow(), header.displayWindow());
+  });
 }
 
 /// Writes an OpenEXR file with the channels R, G and B, in one step: see replace_file.
 ///
+/// Units:    linear, with the primaries and white of Rec. 709, which the file says.
 /// Ensures:  Float pixels come back bit by bit; Half pixels are rounded to nearest, and finite values beyond ±65504
 ///           become ±65504.
 /// Errors:   IoError where the image is empty or the file cannot be written.
 inline void write_exr(const Image& image, const std::filesystem::path& path, const ExrOptions& options = {}) {
   if (image.empty()) throw IoError(path, "cannot be written: the image is empty");
-  const auto compression = detail::exr_compression(options.compression);
   const auto write = [&](std::ofstream& stream) {
     if (options.pixel == ExrPixel::Half) {
       const auto values = detail::halves(image);
       const half* const first = values.data();
-      detail::write_exr_pixels<half>(stream, path, image.size(), Imf::HALF, compression, {first, first + 1, first + 2});
+      detail::write_exr_pixels<half>(stream, path, image.size(), Imf::HALF, options.compression,
+                                     {first, first + 1, first + 2});
     } else {
       const Rgb& first = image.pixels().front();
-      detail::write_exr_pixels<float>(stream, path, image.size(), Imf::FLOAT, compression,
+      detail::write_exr_pixels<float>(stream, path, image.size(), Imf::FLOAT, options.compression,
                                       {&first.r, &first.g, &first.b});
     }
   };
-  try {
-    replace_file(path, write);
-  } catch (const IoError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw IoError(path, std::string("cannot be written: ") + error.what());
-  }
+  detail::replace_exr_file(path, write);
 }
 
 }  // namespace glint

@@ -11,6 +11,7 @@ struct RenderReport {
   std::uint64_t dropped = 0;  ///< samples left out because they were not finite
   double seconds = 0;
   bool complete = true;  ///< false where it was stopped early
+  bool clamped = false;  ///< true where a LightClamp was on: the image may be darker than it should be
 
   constexpr RenderReport& operator+=(const RenderReport& other) noexcept {
     samples += other.samples;
@@ -18,6 +19,7 @@ struct RenderReport {
     dropped += other.dropped;
     seconds += other.seconds;
     complete = complete && other.complete;
+    clamped = clamped || other.clamped;
     return *this;
   }
   [[nodiscard]] friend constexpr bool operator==(const RenderReport&, const RenderReport&) noexcept = default;

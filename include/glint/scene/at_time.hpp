@@ -22,6 +22,10 @@ struct AtTime {
     return scene.interact(timed(ray), footprint);
   }
   [[nodiscard]] bool occluded(const Ray<float>& ray) const { return scene.occluded(timed(ray)); }
+  [[nodiscard]] auto closest(const Ray<float>& ray) const requires requires(const S& s) { s.closest(ray); }
+  { return scene.closest(timed(ray)); }
+  [[nodiscard]] const auto& materials() const noexcept requires requires(const S& s) { s.materials(); }
+  { return scene.materials(); }
   [[nodiscard]] Rgb background(const Vec3<float>& direction) const { return scene.background(direction); }
   [[nodiscard]] std::uint32_t light_count() const noexcept { return scene.light_count(); }
   [[nodiscard]] const auto& light(std::uint32_t i) const noexcept { return scene.light(i); }

@@ -30,6 +30,13 @@ struct Counted {
     ++rays;
     return scene.occluded(ray);
   }
+  [[nodiscard]] auto closest(const Ray<float>& ray) const requires requires(const S& s) { s.closest(ray); }
+  {
+    ++rays;
+    return scene.closest(ray);
+  }
+  [[nodiscard]] const auto& materials() const noexcept requires requires(const S& s) { s.materials(); }
+  { return scene.materials(); }
   [[nodiscard]] Rgb background(const Vec3<float>& direction) const { return scene.background(direction); }
   [[nodiscard]] std::uint32_t light_count() const noexcept { return scene.light_count(); }
   [[nodiscard]] const auto& light(std::uint32_t i) const noexcept { return scene.light(i); }

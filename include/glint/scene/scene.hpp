@@ -92,6 +92,9 @@ class Scene {
     return result;
   }
 
+  /// The geometry's closest hit, as an optional Hit.
+  [[nodiscard]] auto closest(const Ray<float>& ray) const { return geometry_.closest(cast_ray(ray)); }
+
   [[nodiscard]] bool occluded(const Ray<float>& ray) const { return geometry_.occluded(cast_ray(ray)); }
 
   /// The radiance of all lights at infinity.
