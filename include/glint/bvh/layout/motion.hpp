@@ -216,6 +216,18 @@ struct EndOf {
   [[nodiscard]] std::size_t bytes() const noexcept { return layout.bytes(); }
 };
 
+/// What a leaf holds, at one end of time.
+template <typename T, typename Leaves, MovingSet S>
+[[nodiscard]] FittedLeaf<T> fit_leaf(const Leaves& leaves, const S& set, Slots<typename S::Index> slots,
+                                     Aabb<T> MotionBounds<T>::*end) {
+  FittedLeaf<T> fitted;
+  leaves.for_each_primitive(slots, [&](typename S::Index i) {
+    fitted.add(set.motion_bounds(i).*end);
+    return Walk::Continue;
+  });
+  return fitted;
+}
+
 }  // namespace detail
 
 /// Gives a layout the motion of a set: boxes anew, in place, at time 0 and then at time 1.
@@ -225,20 +237,13 @@ struct EndOf {
 /// Threads:  subtrees in parallel; the same boxes for every executor.
 template <MovingLayout L, typename Leaves, MovingSet S, Executor E = Serial>
 void fit_motion(L& layout, const Leaves& leaves, const S& set, const E& executor = {}) {
-  using T = typename S::Scalar;
-  const auto fit = [&](Aabb<T> MotionBounds<T>::*side) {
-    return [&, side](Slots<typename S::Index> slots) {
-      FittedLeaf<T> fitted;
-      leaves.for_each_primitive(slots, [&](typename S::Index i) {
-        fitted.add(set.motion_bounds(i).*side);
-        return Walk::Continue;
-      });
-      return fitted;
-    };
-  };
-  refit_layout(layout, fit(&MotionBounds<T>::begin), executor);
+  using LeafSlots = Slots<typename S::Index>;
+  using Bounds = MotionBounds<typename S::Scalar>;
+  const auto at_begin = [&](LeafSlots slots) { return detail::fit_leaf(leaves, set, slots, &Bounds::begin); };
+  const auto at_end = [&](LeafSlots slots) { return detail::fit_leaf(leaves, set, slots, &Bounds::end); };
+  refit_layout(layout, at_begin, executor);
   detail::EndOf<L> end{layout};
-  refit_layout(end, fit(&MotionBounds<T>::end), executor);
+  refit_layout(end, at_end, executor);
 }
 
 static_assert(MovingLayout<MotionNodes<float, std::uint32_t, 8>>);

@@ -55,38 +55,17 @@ class LeafPairs {
       : set_a_(set_a), leaves_a_(leaves_a), set_b_(set_b), leaves_b_(leaves_b), visit_(visit), is_self_(is_self) {}
 
   [[nodiscard]] Walk between(Slots<I> a, Slots<J> b) const {
-    if constexpr (in_blocks) {
-      for (const auto& block : leaves_a_.blocks(a))
-        if (with_blocks(block, leaves_b_.blocks(b)) == Walk::Stop) return Walk::Stop;
-      return Walk::Continue;
-    } else {
-      return leaves_a_.for_each_primitive(a, [&](I i) {
-        const Aabb<T> box = set_a_.bounds(i);
-        return leaves_b_.for_each_primitive(b, [&](J j) { return test_boxes(i, box, j); });
-      });
-    }
+    if constexpr (in_blocks)
+      return blocks_between(a, b);
+    else
+      return primitives_between(a, b);
   }
   /// Of one leaf of one tree. Pairs that are seen twice are shown once.
   [[nodiscard]] Walk within(Slots<I> slots) const {
-    if constexpr (in_blocks) {
-      const auto blocks = leaves_a_.blocks(slots);
-      for (std::size_t i = 0; i < blocks.size(); ++i) {
-        if (within_block(blocks[i]) == Walk::Stop) return Walk::Stop;
-        if (with_blocks(blocks[i], blocks.subspan(i + 1)) == Walk::Stop) return Walk::Stop;
-      }
-      return Walk::Continue;
-    } else {
-      std::size_t at = 0;
-      return leaves_a_.for_each_primitive(slots, [&](I i) {
-        const Aabb<T> box = set_a_.bounds(i);
-        std::size_t skip = ++at;
-        return leaves_a_.for_each_primitive(slots, [&](I j) {
-          if (skip == 0) return test_boxes(i, box, j);
-          --skip;
-          return Walk::Continue;
-        });
-      });
-    }
+    if constexpr (in_blocks)
+      return blocks_within(slots);
+    else
+      return primitives_within(slots);
   }
 
  private:
@@ -96,6 +75,38 @@ class LeafPairs {
   };
   static constexpr int lanes_a = int(LeavesA::block_size);
   static constexpr int lanes_b = int(LeavesB::block_size);
+
+  [[nodiscard]] Walk blocks_between(Slots<I> a, Slots<J> b) const {
+    for (const auto& block : leaves_a_.blocks(a))
+      if (with_blocks(block, leaves_b_.blocks(b)) == Walk::Stop) return Walk::Stop;
+    return Walk::Continue;
+  }
+  [[nodiscard]] Walk primitives_between(Slots<I> a, Slots<J> b) const {
+    return leaves_a_.for_each_primitive(a, [&](I i) {
+      const Aabb<T> box = set_a_.bounds(i);
+      return leaves_b_.for_each_primitive(b, [&](J j) { return test_boxes(i, box, j); });
+    });
+  }
+  [[nodiscard]] Walk blocks_within(Slots<I> slots) const {
+    const auto blocks = leaves_a_.blocks(slots);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (within_block(blocks[i]) == Walk::Stop) return Walk::Stop;
+      if (with_blocks(blocks[i], blocks.subspan(i + 1)) == Walk::Stop) return Walk::Stop;
+    }
+    return Walk::Continue;
+  }
+  [[nodiscard]] Walk primitives_within(Slots<I> slots) const {
+    std::size_t at = 0;
+    return leaves_a_.for_each_primitive(slots, [&](I i) {
+      const Aabb<T> box = set_a_.bounds(i);
+      std::size_t skip = ++at;
+      return leaves_a_.for_each_primitive(slots, [&](I j) {
+        if (skip == 0) return test_boxes(i, box, j);
+        --skip;
+        return Walk::Continue;
+      });
+    });
+  }
 
   template <typename Block, typename Blocks>
   [[nodiscard]] Walk with_blocks(const Block& block, const Blocks& others) const {

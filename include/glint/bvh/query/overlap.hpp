@@ -54,31 +54,38 @@ class LeafOverlaps {
 
   /// Of a leaf that may overlap the region.
   [[nodiscard]] Walk test(Slots<I> slots) {
-    if constexpr (!has_blocks) {
-      return leaves_.for_each_primitive(slots, [&](I i) { return test_one(i); });
-    } else {
-      return for_each_block(slots, [&](const auto& block, const BoxPack<T, lanes>& boxes, std::uint32_t /*known*/) {
-        const std::uint32_t may = query_.enter(boxes).overlapping | points_of(boxes);
-        return for_each_lane(block, may, [&](I i) { return test_one(i); });
-      });
-    }
+    if constexpr (has_blocks)
+      return test_blocks(slots);
+    else
+      return test_primitives(slots);
   }
   /// Of a leaf in the region: what triangles without a NaN are in blocks need not be tested.
   [[nodiscard]] Walk take(Slots<I> slots) {
-    if constexpr (!has_blocks) {
-      return test(slots);
-    } else {
-      return for_each_block(slots, [&](const auto& block, const BoxPack<T, lanes>& /*boxes*/, std::uint32_t known) {
-        if (for_each_lane(block, known, [&](I i) { return sink_(i); }) == Walk::Stop) return Walk::Stop;
-        return for_each_lane(block, ~known & all_lanes<lanes>, [&](I i) { return test_one(i); });
-      });
-    }
+    if constexpr (has_blocks)
+      return take_blocks(slots);
+    else
+      return test_primitives(slots);
   }
 
  private:
   static constexpr int lanes = int(Leaves::block_size);
   static constexpr bool has_blocks = requires(const Leaves& leaves, Slots<I> slots) { leaves.blocks(slots); };
 
+  [[nodiscard]] Walk test_blocks(Slots<I> slots) {
+    return for_each_block(slots, [&](const auto& block, const BoxPack<T, lanes>& boxes, std::uint32_t /*known*/) {
+      const std::uint32_t may = query_.enter(boxes).overlapping | points_of(boxes);
+      return for_each_lane(block, may, [&](I i) { return test_one(i); });
+    });
+  }
+  [[nodiscard]] Walk take_blocks(Slots<I> slots) {
+    return for_each_block(slots, [&](const auto& block, const BoxPack<T, lanes>& /*boxes*/, std::uint32_t known) {
+      if (for_each_lane(block, known, [&](I i) { return sink_(i); }) == Walk::Stop) return Walk::Stop;
+      return for_each_lane(block, ~known & all_lanes<lanes>, [&](I i) { return test_one(i); });
+    });
+  }
+  [[nodiscard]] Walk test_primitives(Slots<I> slots) {
+    return leaves_.for_each_primitive(slots, [&](I i) { return test_one(i); });
+  }
   [[nodiscard]] Walk test_one(I i) { return overlaps(set_, i, region_) ? sink_(i) : Walk::Continue; }
 
   /// Triangles without area may be put down as points.
