@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   const auto any_scene = glint::any_scene_of(file, executor);
   glint::Film film{file.film.resolution, file.film.filter};
   const auto render_by = [&](const auto& scene, const auto& integrator) {
-    glint::render(scene, file.camera, integrator, film, {.samples = file.integrator.samples}, executor,
+    glint::render(scene, file.camera, integrator, film, glint::options_of(file), executor,
                   glint::sequence_of(file.sampler, file.integrator.samples));
   };
   any_scene.visit([&](const auto& scene) {

@@ -126,7 +126,8 @@ Rendering render_scene(const glint::SceneFile& file, const RenderArguments& argu
                        const glint::TbbExecutor& executor, std::stop_token stop) {
   const auto scene = glint::any_scene_of(file, executor);
   glint::Film<glint::SceneFilter> film(file.film.resolution, file.film.filter);
-  glint::RenderOptions options{.samples = file.integrator.samples, .tile_size = arguments.tile_size};
+  glint::RenderOptions options = glint::options_of(file);
+  options.tile_size = arguments.tile_size;
   options.stop = std::move(stop);
   std::optional<ProgressDisplay> display;
   if (!arguments.quiet) {

@@ -130,6 +130,38 @@ TEST_CASE("scene textures: an image has a filter, wraps, a scale and an offset",
         1);  // 0.5 · 1 + 0.25 is the white one's center
 }
 
+TEST_CASE("scene textures: filtered images are averaged over footprints, and the scene knows", "[io][scene]") {
+  const TemporaryDirectory directory;
+  glint::Image pixels({2, 1});
+  pixels(1, 0) = 1;
+  glint::write_exr(pixels, directory / "image.exr");
+  const auto draft_of = [&](const std::string& keys) {
+    JsonText json(R"({"a": {"type": "image", "path": "image.exr")" + keys + "}}");
+    json.source.path = directory / "scene.json";
+    SceneDraft draft;
+    glint::detail::read_textures(json.object(), draft);
+    return draft;
+  };
+  const glint::UvFootprint wide{{100, 0}, {0, 100}};
+  for (const std::string filter : {"trilinear", "ewa"}) {
+    const SceneDraft draft = draft_of(", \"filter\": \"" + filter + "\"");
+    const SceneTexture& texture = draft.textures.at("a");
+    CHECK(texture.evaluate(glint::Vec2<float>{0.75F, 0.5F}).r == 1);  // a pixel
+    CHECK(color_at(texture, {0.75F, 0.5F}, wide).r == Approx(0.5));   // the mean of both
+    CHECK(draft.scene.filters_textures);
+    CHECK(options_of(draft.scene).footprint == 1);
+  }
+  const SceneDraft plain = draft_of("");
+  CHECK_FALSE(plain.scene.filters_textures);
+  CHECK(options_of(plain.scene).footprint == 0);
+  const SceneDraft round = draft_of(R"(, "filter": "ewa", "max_anisotropy": 1, "wrap": ["clamp", "border"])");
+  const auto* const texture = round.textures.at("a").get_if<glint::FilteredImageTexture>();
+  REQUIRE(texture != nullptr);
+  CHECK(texture->max_anisotropy == 1);
+  CHECK(texture->wrap_s == glint::Wrap::Clamp);
+  CHECK(texture->wrap_t == glint::Wrap::Border);
+}
+
 TEST_CASE("scene textures: noise is the library's", "[io][scene]") {
   const glint::Surface at{.position = {0.3F, 1.7F, -2.2F}};
   CHECK(color_at(texture_of(R"({"type": "noise"})"), at) == glint::NoiseTexture{}.evaluate(at));
@@ -206,5 +238,7 @@ TEST_CASE("scene textures: a wrong filter or wrap is an error", "[io][scene]") {
   CHECK(error(R"(, "wrap": "tile")") ==
         "/x/wrap: found \"tile\", expected one of \"repeat\", \"clamp\", \"mirror\", \"border\"");
   CHECK(error(R"(, "wrap": ["clamp"])") == "/x/wrap: found an array of 1, expected a name, or an array of 2");
+  CHECK(error(R"(, "filter": "ewa", "max_anisotropy": 0.5)") ==
+        "/x/max_anisotropy: found 0.5, expected a number from 1 to 64");
   CHECK(error(R"(, "filter": "cubic")").starts_with("/x/filter: found \"cubic\", expected one of \"nearest\""));
 }

@@ -37,6 +37,7 @@
 #include <glint/light/triangle_sampler.hpp>
 #include <glint/material/material_table.hpp>
 #include <glint/material/opacity.hpp>
+#include <glint/render/options.hpp>
 #include <glint/scene/scene.hpp>
 
 namespace glint {
@@ -63,6 +64,7 @@ struct SceneFile {
   std::vector<SceneLight> lights;
   std::vector<SceneTexture> opacities;              ///< of what lets light pass
   std::vector<std::uint32_t> opacity_of_primitive;  ///< as in Opacity; empty where everything is opaque
+  bool filters_textures = false;  ///< whether there is an image that is filtered: else paths need no footprints
 
   SceneCamera camera;
   FilmSettings film;
@@ -134,6 +136,11 @@ template <typename Set, Executor E>
 template <Executor E = Serial>
 [[nodiscard]] SceneBvh bvh_of(const SceneFile& file, const E& executor = {}) {
   return detail::bvh_over(file.shapes(), file, executor);
+}
+
+/// The number of samples that the file asks for, and footprints where its textures do.
+[[nodiscard]] inline RenderOptions options_of(const SceneFile& file) {
+  return {.samples = file.integrator.samples, .footprint = file.filters_textures ? 1.0F : 0.0F};
 }
 
 /// The scene, ready for rendering. It views the file's buffers: the file has to outlive it and stay as it is.

@@ -78,8 +78,22 @@ inline void read_light(JsonObject light, SceneDraft& draft) {
   return EnvironmentChoice::Compensated;
 }
 
+/// The texture as an environment: looked up where it is sampled, so not filtered, and without a seam at the poles.
+[[nodiscard]] inline SceneTexture environment_texture(const SceneTexture& texture) {
+  ImageTexture image;
+  if (const auto* const filtered = texture.get_if<FilteredImageTexture>()) {
+    image = {.image = filtered->pyramid->finest(), .mapping = filtered->mapping, .wrap_s = filtered->wrap_s};
+  } else if (const auto* const plain = texture.get_if<ImageTexture>()) {
+    image = *plain;
+  } else {
+    return texture;
+  }
+  image.wrap_t = Wrap::Clamp;
+  return image;
+}
+
 inline void read_environment(JsonObject object, SceneDraft& draft) {
-  SceneTexture texture = named(draft.textures, object.require("texture_name"), "texture");
+  SceneTexture texture = environment_texture(named(draft.textures, object.require("texture_name"), "texture"));
   const float scale = object.not_negative_or("scale", 1);
   Affine<float> to_world;
   if (const auto transform = object.find("transform")) {
@@ -89,11 +103,6 @@ inline void read_environment(JsonObject object, SceneDraft& draft) {
   }
   const EnvironmentChoice choice = read_environment_choice(object, draft.scene);
   object.finish();
-  if (const ImageTexture* image = texture.get_if<ImageTexture>()) {  // the poles are no seam
-    ImageTexture clamped = *image;
-    clamped.wrap_t = Wrap::Clamp;
-    texture = clamped;
-  }
   const Vec2i resolution = table_resolution(texture);
   draft.scene.lights.emplace_back(
       EnvironmentLight<SceneTexture>(std::move(texture), resolution, scale, to_world.linear, choice));

@@ -29,12 +29,13 @@
 #include <glint/texture/checkerboard.hpp>
 #include <glint/texture/concepts.hpp>
 #include <glint/texture/constant.hpp>
+#include <glint/texture/filtered_image_texture.hpp>
 #include <glint/texture/image_texture.hpp>
 
 /// What the textures and materials of a scene file can be.
 namespace glint {
 
-using SceneTexture = OneOf<ConstantTexture, Checkerboard, ImageTexture, AnyTexture>;
+using SceneTexture = OneOf<ConstantTexture, Checkerboard, ImageTexture, FilteredImageTexture, AnyTexture>;
 using SceneDiffuse = Textured<Lambertian, SceneTexture>;
 using SceneRoughDiffuse = Textured<OrenNayar, SceneTexture>;
 using ScenePlastic = Textured<CoatedDiffuse, SceneTexture>;

@@ -15,6 +15,8 @@
 #include <glint/io/scene_draft.hpp>
 #include <glint/io/scene_file.hpp>
 #include <glint/io/scene_settings.hpp>
+#include <glint/texture/filtered_image_texture.hpp>
+#include <glint/texture/mip_map.hpp>
 #include <glint/texture/mix.hpp>
 #include <glint/texture/noise.hpp>
 #include <glint/texture/triplanar.hpp>
@@ -33,8 +35,13 @@ inline constexpr std::array<std::pair<std::string_view, TextureKind>, 6> texture
      {"triplanar", TextureKind::Triplanar}}};
 inline constexpr std::array<std::pair<std::string_view, Encoding>, 2> texture_encodings{
     {{"srgb", Encoding::Srgb}, {"linear", Encoding::Linear}}};
-inline constexpr std::array<std::pair<std::string_view, Interpolation>, 2> texture_filters{
-    {{"nearest", Interpolation::Nearest}, {"bilinear", Interpolation::Bilinear}}};
+enum class ImageFilter : std::uint8_t { Nearest, Bilinear, Trilinear, Ewa };
+
+inline constexpr std::array<std::pair<std::string_view, ImageFilter>, 4> texture_filters{
+    {{"nearest", ImageFilter::Nearest},
+     {"bilinear", ImageFilter::Bilinear},
+     {"trilinear", ImageFilter::Trilinear},
+     {"ewa", ImageFilter::Ewa}}};
 inline constexpr std::array<std::pair<std::string_view, Wrap>, 4> texture_wraps{
     {{"repeat", Wrap::Repeat}, {"clamp", Wrap::Clamp}, {"mirror", Wrap::Mirror}, {"border", Wrap::Border}}};
 inline constexpr std::array<std::pair<std::string_view, NoisePattern>, 2> noise_patterns{
@@ -72,11 +79,25 @@ inline constexpr std::array<std::pair<std::string_view, NoisePattern>, 2> noise_
   const auto read = [&](const auto& path) { return std::make_shared<const Image>(read_image(path, encoding)); };
   auto image = read_named_file(draft, object.require("path"), read);
   const auto [wrap_s, wrap_t] = read_wrap(object);
-  return ImageTexture{.image = std::move(image),
-                      .mapping = read_uv_mapping(object),
-                      .interpolation = choice_or(object, "filter", Interpolation::Bilinear, texture_filters),
-                      .wrap_s = wrap_s,
-                      .wrap_t = wrap_t};
+  const UvMapping mapping = read_uv_mapping(object);
+  const auto filter = choice_or(object, "filter", ImageFilter::Bilinear, texture_filters);
+  if (filter == ImageFilter::Nearest || filter == ImageFilter::Bilinear) {
+    const auto between = filter == ImageFilter::Nearest ? Interpolation::Nearest : Interpolation::Bilinear;
+    return ImageTexture{std::move(image), mapping, between, wrap_s, wrap_t};
+  }
+  FilteredImageTexture filtered{.pyramid = std::make_shared<const MipMap>(std::move(image)),
+                                .mapping = mapping,
+                                .filter = TextureFilter::Trilinear,
+                                .wrap_s = wrap_s,
+                                .wrap_t = wrap_t};
+  if (filter == ImageFilter::Ewa) {
+    filtered.filter = TextureFilter::Ewa;
+    filtered.max_anisotropy = object.read_or("max_anisotropy", filtered.max_anisotropy, [](const JsonValue& v) {
+      return v.number_where([](float number) { return number >= 1 && number <= 64; }, "a number from 1 to 64");
+    });
+  }
+  draft.scene.filters_textures = true;
+  return filtered;
 }
 
 [[nodiscard]] inline SceneTexture read_noise(JsonObject& object) {

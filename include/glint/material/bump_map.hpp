@@ -29,8 +29,10 @@ struct BumpMapped {
   float step = 1.0F / 1024;
 
   [[nodiscard]] Perturbed<BsdfOf<M>> bsdf(const Surface& at) const {
-    const float rise_u = height_at(at, {step, 0.0F}) - height_at(at, {-step, 0.0F});
-    const float rise_v = height_at(at, {0.0F, step}) - height_at(at, {0.0F, -step});
+    const UvFootprint over = uv_footprint(at);
+    const auto height_at = [&](const Vec2<float>& uv) { return luminance(color_at(height, uv, over)); };
+    const float rise_u = height_at(at.uv + Vec2<float>{step, 0.0F}) - height_at(at.uv - Vec2<float>{step, 0.0F});
+    const float rise_v = height_at(at.uv + Vec2<float>{0.0F, step}) - height_at(at.uv - Vec2<float>{0.0F, step});
     const float slope = -0.5F * scale / (step * std::sqrt(length_squared(at.tangent)));
     const Vec3<float> normal{slope * rise_u, slope * rise_v, 1.0F};
     const bool bent = std::isfinite(length_squared(normal));
@@ -38,11 +40,6 @@ struct BumpMapped {
   }
 
   [[nodiscard]] friend bool operator==(const BumpMapped&, const BumpMapped&) = default;
-
- private:
-  [[nodiscard]] float height_at(const Surface& at, const Vec2<float>& offset) const {
-    return luminance(height.evaluate(at.uv + offset));
-  }
 };
 
 template <Material M, Texture T>

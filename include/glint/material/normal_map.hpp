@@ -20,7 +20,7 @@ struct NormalMapped {
   T normals{};
 
   [[nodiscard]] Perturbed<BsdfOf<M>> bsdf(const Surface& at) const {
-    const Rgb color = normals.evaluate(at.uv);
+    const Rgb color = color_at(normals, at);
     const Vec3<float> normal{2.0F * color.r - 1.0F, 2.0F * color.g - 1.0F, 2.0F * color.b - 1.0F};
     const bool bent = normal.z > 0.0F && is_finite(normal) && length_squared(at.tangent) > 0.0F;
     return {bsdf_at(base, at, 0), bent ? normalized(normal) : Vec3<float>{0.0F, 0.0F, 1.0F}};

@@ -92,6 +92,9 @@ class MipMap {
   [[nodiscard]] bool empty() const noexcept { return finest_ == nullptr; }
   [[nodiscard]] int level_count() const noexcept { return empty() ? 0 : static_cast<int>(coarser_.size()) + 1; }
 
+  /// The image itself; null where there are no levels.
+  [[nodiscard]] const std::shared_ptr<const Image>& finest() const noexcept { return finest_; }
+
   /// Level 0 is the image itself. Requires: 0 ≤ i < level_count().
   [[nodiscard]] const Image& level(int i) const noexcept {
     GLINT_ASSERT(i >= 0 && i < level_count());
