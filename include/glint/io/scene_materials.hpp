@@ -28,10 +28,11 @@ namespace glint::detail {
 /// A layer below heights of a texture. Slopes are taken between the pixels of an image.
 [[nodiscard]] inline SceneMaterial bump_mapped(SceneLayer layer, SceneTexture heights, float scale) {
   SceneBumpMapped result{.base = std::move(layer), .height = std::move(heights), .scale = scale};
-  if (const auto* image = result.height.get_if<ImageTexture>()) {
-    const Vec2i size = image->image->size();
-    result.step = 1.0F / static_cast<float>(std::max(size.x, size.y));
-  }
+  const auto step_by_pixels = [&](const Image& image) {
+    result.step = 1.0F / static_cast<float>(std::max(image.width(), image.height()));
+  };
+  if (const auto* plain = result.height.get_if<ImageTexture>()) step_by_pixels(*plain->image);
+  if (const auto* filtered = result.height.get_if<FilteredImageTexture>()) step_by_pixels(*filtered->pyramid->finest());
   return result;
 }
 
