@@ -59,29 +59,35 @@ struct RenderTask {
     const Vec2<float> step = scale * footprint_width();
     auto gathered = layers.pixel(pixel);
     for (int sample = 0; sample < options.samples; ++sample) {
-      auto sampler = sequence.stream(pixel, sample);
-      const Vec2<float> jitter = sampler.next_2d();
-      const Vec2<float> lens = sampler.next_2d();
-      const Vec2<float> at = Vec2<float>(pixel) + jitter;
-      const Vec2<float> film = film_position(at);
-      const auto path = footprint(film, lens, step);
-      const bool added =
-          with_ray(film, lens, sampler, report, [&](const Counted<Seen>& counted, const Ray<float>& ray) {
-            if constexpr (has_layers) {
-              const Stream from_here = sampler;
-              const LightShares light = shares(counted, ray, sampler, report, path);
-              if (!block.add(at, light.sum)) return false;
-              gathered.add(counted, ray, from_here, light);
-              return true;
-            } else {
-              return block.add(at, radiance(counted, ray, sampler, report, path));
-            }
-          });
+      const bool added = add_sample(block, gathered, pixel, sample, step, report);
       report.dropped += added ? 0U : 1U;
     }
     if constexpr (has_layers) write(gathered, pixel, report);
     report.samples += static_cast<std::uint64_t>(options.samples);
     return true;
+  }
+
+  /// Adds one sample of a pixel to the film, and to the layers; false, and nothing added, where the film drops it.
+  template <typename Block, typename Gathered>
+  [[nodiscard]] bool add_sample(Block& block, Gathered& gathered, Vec2i pixel, int sample, const Vec2<float>& step,
+                                RenderReport& report) const {
+    auto sampler = sequence.stream(pixel, sample);
+    const Vec2<float> jitter = sampler.next_2d();
+    const Vec2<float> lens = sampler.next_2d();
+    const Vec2<float> at = Vec2<float>(pixel) + jitter;
+    const Vec2<float> film = film_position(at);
+    const auto path = footprint(film, lens, step);
+    return with_ray(film, lens, sampler, report, [&](const Counted<Seen>& counted, const Ray<float>& ray) {
+      if constexpr (has_layers) {
+        const Stream from_here = sampler;
+        const LightShares light = shares(counted, ray, sampler, report, path);
+        if (!block.add(at, light.sum)) return false;
+        gathered.add(counted, ray, from_here, light);
+        return true;
+      } else {
+        return block.add(at, radiance(counted, ray, sampler, report, path));
+      }
+    });
   }
 
   /// How much of a pixel one of its paths stands for, across and up.
@@ -115,23 +121,26 @@ struct RenderTask {
     }
   }
 
-  /// Writes a pixel's layers: ids are those in its center, in the middle of the time that a shutter is open.
+  /// Writes a pixel's layers.
   template <typename Gathered>
   void write(const Gathered& gathered, Vec2i pixel, RenderReport& report) const {
+    if constexpr (Gathered::template has_ids<Counted<Seen>>) {
+      if (gathered.template asks_for_hit<Counted<Seen>>()) return write_with_ids(gathered, pixel, report);
+    }
+    gathered.write();
+  }
+
+  /// Likewise, with the ids in its center, in the middle of the time that a shutter is open.
+  template <typename Gathered>
+  void write_with_ids(const Gathered& gathered, Vec2i pixel, RenderReport& report) const {
     struct Middle {
       [[nodiscard]] static float next_1d() noexcept { return 0.5F; }
     };
-    if constexpr (Gathered::template has_ids<Counted<Seen>>) {
-      if (gathered.template asks_for_hit<Counted<Seen>>()) {
-        Middle middle;
-        const Vec2<float> center = film_position(Vec2<float>(pixel) + Vec2<float>(0.5F));
-        return with_ray(center, Vec2<float>(0.5F), middle, report,
-                        [&](const Counted<Seen>& counted, const Ray<float>& ray) {
-                          gathered.write(counted, counted.closest(ray));
-                        });
-      }
-    }
-    gathered.write();
+    Middle middle;
+    const Vec2<float> center = film_position(Vec2<float>(pixel) + Vec2<float>(0.5F));
+    with_ray(center, Vec2<float>(0.5F), middle, report, [&](const Counted<Seen>& counted, const Ray<float>& ray) {
+      gathered.write(counted, counted.closest(ray));
+    });
   }
 
   /// What a sample brings, in shares where the integrator tells.

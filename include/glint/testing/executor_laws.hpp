@@ -40,12 +40,13 @@ template <Executor E>
 [[nodiscard]] bool nests(const E& executor) {
   constexpr std::size_t rows = 10;
   std::vector<int> counts(rows * rows, 0);
+  const auto count_row = [&](std::size_t row) {
+    executor.parallel_for(rows, 1, [&, row](std::size_t begin, std::size_t end) {
+      for (std::size_t column = begin; column < end; ++column) ++counts[row * rows + column];
+    });
+  };
   executor.parallel_for(rows, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      executor.parallel_for(rows, 1, [&, row](std::size_t first, std::size_t last) {
-        for (std::size_t column = first; column < last; ++column) ++counts[row * rows + column];
-      });
-    }
+    for (std::size_t row = begin; row < end; ++row) count_row(row);
   });
   return std::count(counts.begin(), counts.end(), 1) == std::ptrdiff_t(counts.size());
 }
