@@ -53,7 +53,7 @@ int main() {
   std::size_t wrong = 0;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const float distance = field[std::size_t(row * columns + column)];
+      const float distance = field[std::size_t(row) * columns + std::size_t(column)];
       wrong += std::size_t(std::abs(distance - tried_each(mesh, point_at(row, column))) > 1e-6F);
       std::putchar(distance < 0 ? '#' : distance < 0.1F ? '+' : distance < 0.2F ? '.' : ' ');
     }
