@@ -74,6 +74,22 @@ inline constexpr std::array<std::pair<std::string_view, NoisePattern>, 2> noise_
   return {choice(each[0], texture_wraps), choice(each[1], texture_wraps)};
 }
 
+/// An image texture by its pyramid. Requires: `filter` is Trilinear or Ewa.
+[[nodiscard]] inline FilteredImageTexture filtered_texture(JsonObject& object, const ImageTexture& plain,
+                                                           ImageFilter filter) {
+  FilteredImageTexture result{.pyramid = std::make_shared<const MipMap>(plain.image),
+                              .mapping = plain.mapping,
+                              .filter = TextureFilter::Trilinear,
+                              .wrap_s = plain.wrap_s,
+                              .wrap_t = plain.wrap_t};
+  if (filter == ImageFilter::Trilinear) return result;
+  result.filter = TextureFilter::Ewa;
+  result.max_anisotropy = object.read_or("max_anisotropy", result.max_anisotropy, [](const JsonValue& v) {
+    return v.number_where([](float number) { return number >= 1 && number <= 64; }, "a number from 1 to 64");
+  });
+  return result;
+}
+
 [[nodiscard]] inline SceneTexture read_image_texture(JsonObject& object, SceneDraft& draft) {
   const auto encoding = choice_or(object, "encoding", Encoding::Srgb, texture_encodings);
   const auto read = [&](const auto& path) { return std::make_shared<const Image>(read_image(path, encoding)); };
@@ -81,23 +97,11 @@ inline constexpr std::array<std::pair<std::string_view, NoisePattern>, 2> noise_
   const auto [wrap_s, wrap_t] = read_wrap(object);
   const UvMapping mapping = read_uv_mapping(object);
   const auto filter = choice_or(object, "filter", ImageFilter::Bilinear, texture_filters);
-  if (filter == ImageFilter::Nearest || filter == ImageFilter::Bilinear) {
-    const auto between = filter == ImageFilter::Nearest ? Interpolation::Nearest : Interpolation::Bilinear;
-    return ImageTexture{std::move(image), mapping, between, wrap_s, wrap_t};
-  }
-  FilteredImageTexture filtered{.pyramid = std::make_shared<const MipMap>(std::move(image)),
-                                .mapping = mapping,
-                                .filter = TextureFilter::Trilinear,
-                                .wrap_s = wrap_s,
-                                .wrap_t = wrap_t};
-  if (filter == ImageFilter::Ewa) {
-    filtered.filter = TextureFilter::Ewa;
-    filtered.max_anisotropy = object.read_or("max_anisotropy", filtered.max_anisotropy, [](const JsonValue& v) {
-      return v.number_where([](float number) { return number >= 1 && number <= 64; }, "a number from 1 to 64");
-    });
-  }
+  const auto between = filter == ImageFilter::Nearest ? Interpolation::Nearest : Interpolation::Bilinear;
+  ImageTexture plain{std::move(image), mapping, between, wrap_s, wrap_t};
+  if (filter == ImageFilter::Nearest || filter == ImageFilter::Bilinear) return plain;
   draft.scene.filters_textures = true;
-  return filtered;
+  return filtered_texture(object, plain, filter);
 }
 
 [[nodiscard]] inline SceneTexture read_noise(JsonObject& object) {
