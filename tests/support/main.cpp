@@ -10,3 +10,11 @@ int main(int argc, char** argv) {
   return Catch::Session().run(argc, argv);
 }
 #endif
+
+#include <filesystem>
+
+#include <support/shared.hpp>
+
+std::filesystem::path glint::testing::source_directory() {
+  return GLINT_SOURCE_DIR;
+}

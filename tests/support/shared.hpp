@@ -11,12 +11,15 @@
 
 namespace glint::testing {
 
+/// The root of the source tree, which main.cpp is told: the tests' own units are compiled alike wherever it is.
+[[nodiscard]] std::filesystem::path source_directory();
+
 /// Where a file of the shared reference data is: under the directory named by the environment variable GLINT_SHARED,
 /// else under `shared` beside the source tree. Warns and is empty where there is none: the caller skips its test.
 [[nodiscard]] inline std::optional<std::filesystem::path> shared_path(const std::string& name) {
   const char* const chosen = std::getenv("GLINT_SHARED");
   const std::filesystem::path root =
-      chosen != nullptr ? std::filesystem::path(chosen) : std::filesystem::path(GLINT_SOURCE_DIR) / ".." / "shared";
+      chosen != nullptr ? std::filesystem::path(chosen) : source_directory() / ".." / "shared";
   if (std::error_code error; std::filesystem::exists(root / name, error)) return root / name;
   WARN("skipped: no reference data " << (root / name).string());
   return std::nullopt;
