@@ -507,12 +507,12 @@ TEST_CASE("render: filtered textures have the mean of unfiltered ones, and a fra
   const glint::ImageTexture bilinear{.image = pixels, .mapping = often};
   glint::FilteredImageTexture filtered{.pyramid = std::make_shared<const glint::MipMap>(pixels), .mapping = often};
   const auto seen = [&](const auto& texture, int samples) {
-    const glint::Scene scene{glint::Bvh{glint::Elements{floor}},
-                             glint::Textured<glint::Lambertian, std::remove_cvref_t<decltype(texture)>>{texture},
-                             glint::ConstantEnvironment{Rgb{1}}};
+    const glint::Scene floor_scene{glint::Bvh{glint::Elements{floor}},
+                                   glint::Textured<glint::Lambertian, std::remove_cvref_t<decltype(texture)>>{texture},
+                                   glint::ConstantEnvironment{Rgb{1}}};
     Film<glint::BoxFilter> film{{32, 16}};
     // The lower half of the view is floor, and its upper rows lie toward the horizon.
-    render(scene, Perspective{.eye = {0, 2, 0}, .target = {0, 2, -1}},
+    render(floor_scene, Perspective{.eye = {0, 2, 0}, .target = {0, 2, -1}},
            Path{.max_depth = 2, .strategy = glint::LightStrategy::RandomWalk}, film, {.samples = samples},
            glint::TbbExecutor{}, glint::Stratified{.samples_per_pixel = samples});
     return film.develop();
