@@ -37,9 +37,8 @@ namespace glint {
 ///           the tangent, alpha_y / alpha_x = 1 − 0.9 anisotropy; on opaque parts it would feign light.
 ///           eta = index inside / index outside. sheen_tint 1: the fuzz has the base color's hue, 0: none.
 /// Requires: 1.03 ≤ eta ≤ 3. alpha below 1e-3 counts as 1e-3.
-/// Ensures:  light goes both ways alike. No more leaves than arrives, but for the errors of tables: 0.01, and up to
-/// 0.05
-///           as anisotropy reaches one.
+/// Ensures:  light goes both ways alike. No more leaves than arrives, but for the errors of tables: 0.01, and
+///           up to 0.05 as anisotropy reaches one.
 /// Source:   parameters after Burley, "Physically Based Shading at Disney" (2012) and "Extending the Disney BRDF to a
 ///           BSDF with Integrated Subsurface Scattering" (2015), SIGGRAPH courses, and the OpenPBR Surface
 ///           specification 1.1 (2024). Deviations: exact Fresnel terms in place of Schlick's, and no specular tint; the
