@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Every header has its test and every test its header: include/glint/X.hpp and tests/X.test.cpp.
 
+Each test is a namespace of its own, so that several can be compiled together.
 And every header is where readers look for it: in glint.hpp, but for testing/, and in the map of the headers."""
 
 import source_tree
@@ -47,6 +48,9 @@ def main():
         first = next(((n, line) for n, line in enumerate(lines, 1) if line.startswith("#include")), (1, ""))
         if first[1] != f"#include <glint/{name}>  {ALONE}":
             report.add(mirrors[name], first[0], f"must first say: #include <glint/{name}>  {ALONE}")
+        space = "test_" + name.removesuffix(".hpp").replace("/", "_")
+        if f"namespace {space} {{" not in lines or lines[-1] != f"}}  // namespace {space}":
+            report.add(mirrors[name], len(lines), f"is not, but for its includes, in one namespace {space}")
     check_listed(report, headers)
     report.end(f"{len(mirrors)} tests mirror {len(headers)} headers")
 

@@ -15,6 +15,8 @@
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/math/random.hpp>
 
+namespace test_bsdf_albedo {
+
 namespace {
 
 using glint::estimated_albedo;
@@ -84,3 +86,5 @@ TEST_CASE("albedo: of the BSDF that is held", "[bsdf][albedo]") {
   CHECK(estimated_albedo(Either{glint::Mirror{Rgb{0.5F}}}, slanted, 0, {0, 0}) == Rgb{0.5F});
   CHECK(estimated_albedo(Either{glint::Lambertian{Rgb{0.3F}}}, slanted, 0, {0, 0}) == Rgb{0.3F});
 }
+
+}  // namespace test_bsdf_albedo

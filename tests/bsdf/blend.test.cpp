@@ -10,6 +10,8 @@
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_blend {
+
 using glint::Blend;
 using glint::Lambertian;
 using glint::Rgb;
@@ -62,3 +64,5 @@ TEST_CASE("blend: obeys the laws of Bsdf", "[bsdf][blend][laws]") {
   check_laws(Blend{Lambertian{0.5F}, glint::Dielectric{}, 0.9F}, {.radiance_eta = 1.5F});
   check_laws(Blend{Blend{Lambertian{0.2F}, rough, 0.5F}, glint::Conductor{}, 0.1F}, {.seen_from = SeenFrom::Front});
 }
+
+}  // namespace test_bsdf_blend

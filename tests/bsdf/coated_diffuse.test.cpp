@@ -9,6 +9,8 @@
 #include <glint/testing/bsdf_laws.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_bsdf_coated_diffuse {
+
 using glint::CoatedDiffuse;
 using glint::Rgb;
 using glint::Vec3;
@@ -85,3 +87,5 @@ TEST_CASE("coated_diffuse: obeys the laws of Bsdf, and loses nothing over white"
   check_laws({{1.0F}, 2.0F}, 0.9999F);
   check_laws({{0.8F, 0.4F, 0.1F}, 1.33F}, 0);
 }
+
+}  // namespace test_bsdf_coated_diffuse

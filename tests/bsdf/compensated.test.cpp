@@ -11,6 +11,8 @@
 #include <glint/testing/bsdf_laws.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_bsdf_compensated {
+
 using glint::Beckmann;
 using glint::Compensated;
 using glint::Ggx;
@@ -91,3 +93,5 @@ TEST_CASE("compensated: obeys the laws of Bsdf", "[bsdf][compensated][laws]") {
   check_laws(Compensated{RoughConductor<Ggx>{.distribution = {0.5F, 0.2F}}});
   check_laws(Compensated{RoughConductor<Beckmann>{.distribution = {0.7F, 0.7F}}});
 }
+
+}  // namespace test_bsdf_compensated

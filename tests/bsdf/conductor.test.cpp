@@ -5,6 +5,8 @@
 
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_conductor {
+
 using glint::Conductor;
 using glint::Rgb;
 using glint::Vec3;
@@ -34,3 +36,5 @@ TEST_CASE("conductor: obeys the laws of Bsdf", "[bsdf][conductor][laws]") {
   CHECK(glint::testing::violations_of_bsdf_laws(Conductor{}, 1, {.seen_from = SeenFrom::Front, .least_albedo = 0.8F})
             .empty());
 }
+
+}  // namespace test_bsdf_conductor

@@ -7,6 +7,8 @@
 
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_dielectric {
+
 using glint::Dielectric;
 using glint::Rgb;
 using glint::Vec3;
@@ -77,3 +79,5 @@ TEST_CASE("dielectric: obeys the laws of Bsdf, without loss", "[bsdf][dielectric
   CHECK(glint::testing::violations_of_bsdf_laws(Dielectric{.eta = eta}, 1, {.least_albedo = 1, .radiance_eta = eta})
             .empty());
 }
+
+}  // namespace test_bsdf_dielectric

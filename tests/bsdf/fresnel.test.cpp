@@ -11,6 +11,8 @@
 #include <glint/math/random.hpp>
 #include <glint/math/warp.hpp>
 
+namespace test_bsdf_fresnel {
+
 using glint::Rgb;
 using glint::Vec3;
 
@@ -156,3 +158,5 @@ TEST_CASE("fresnel: Schlick's approximation goes from the share at normal incide
   CHECK(gold.g == Approx(0.07F));
   CHECK(gold.b == Approx(1 / 32.0F));
 }
+
+}  // namespace test_bsdf_fresnel

@@ -8,6 +8,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_lambertian {
+
 using glint::Lambertian;
 using glint::Rgb;
 using glint::Vec3;
@@ -64,3 +66,5 @@ TEST_CASE("lambertian: obeys the laws of Bsdf as one of several", "[bsdf][lamber
   CHECK(glint::testing::violations_of_bsdf_laws(Either{Lambertian{}}, 1).empty());
   CHECK(glint::testing::violations_of_bsdf_laws(Either{glint::PerfectRefraction{}}, 1).empty());
 }
+
+}  // namespace test_bsdf_lambertian

@@ -8,6 +8,8 @@
 #include <glint/bsdf/conductor.hpp>
 #include <glint/bsdf/rough_conductor.hpp>
 
+namespace test_bsdf_metals {
+
 using glint::Metal;
 using glint::Rgb;
 namespace metals = glint::metals;
@@ -79,3 +81,5 @@ TEST_CASE("metals: the least and the most that a metal of a color reflects are a
   CHECK(reflected(Rgb{0}) == Approx(0.001).epsilon(1e-3));
   CHECK(reflected(Rgb{1}) == Approx(0.999).margin(1e-4));
 }
+
+}  // namespace test_bsdf_metals

@@ -12,6 +12,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/chi_square.hpp>
 
+namespace test_bsdf_microfacet {
+
 using glint::Beckmann;
 using glint::Ggx;
 using glint::Vec3;
@@ -177,3 +179,5 @@ TEMPLATE_TEST_CASE("microfacet: sampled normals are unit vectors up, also at the
     }
   }
 }
+
+}  // namespace test_bsdf_microfacet

@@ -7,6 +7,8 @@
 
 #include <glint/bsdf/fresnel.hpp>
 
+namespace test_bsdf_microfacet_albedo {
+
 using glint::Beckmann;
 using glint::DirectionalAlbedo;
 using glint::Ggx;
@@ -59,3 +61,5 @@ TEMPLATE_TEST_CASE("microfacet_albedo: means are those of the interpolated table
   CHECK(albedo.mean_missing() == Approx(missing).epsilon(1e-4));
   CHECK(albedo.mean_dielectric(0.04F) == Approx(glass).epsilon(1e-4));
 }
+
+}  // namespace test_bsdf_microfacet_albedo

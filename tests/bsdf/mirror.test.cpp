@@ -5,6 +5,8 @@
 
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_mirror {
+
 using glint::Mirror;
 using glint::Rgb;
 using glint::Vec3;
@@ -29,3 +31,5 @@ TEST_CASE("mirror: obeys the laws of Bsdf", "[bsdf][mirror][laws]") {
   CHECK(
       glint::testing::violations_of_bsdf_laws(Mirror{}, 1, {.seen_from = SeenFrom::Front, .least_albedo = 1}).empty());
 }
+
+}  // namespace test_bsdf_mirror

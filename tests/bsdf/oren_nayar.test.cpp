@@ -10,6 +10,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_oren_nayar {
+
 using glint::OrenNayar;
 using glint::Rgb;
 using glint::Vec3;
@@ -144,3 +146,5 @@ TEST_CASE("oren_nayar: obeys the laws of Bsdf", "[bsdf][oren_nayar][laws]") {
   CHECK(glint::testing::violations_of_bsdf_laws(OrenNayar{{0.2F, 0.4F, 0.8F}}, 2, {.seen_from = SeenFrom::Front})
             .empty());
 }
+
+}  // namespace test_bsdf_oren_nayar

@@ -13,6 +13,8 @@
 #include <glint/math/frame.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_perfect_refraction {
+
 using glint::PerfectRefraction;
 using glint::Rgb;
 using glint::Vec3;
@@ -111,3 +113,5 @@ TEST_CASE("perfect_refraction: obeys the laws of Bsdf, without loss", "[bsdf][pe
   CHECK(PerfectRefraction{eta}.is_specular());
   CHECK(glint::testing::violations_of_bsdf_laws(PerfectRefraction{eta}, 1, {.least_albedo = 1}).empty());
 }
+
+}  // namespace test_bsdf_perfect_refraction

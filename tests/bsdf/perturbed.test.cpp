@@ -8,6 +8,8 @@
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_perturbed {
+
 using glint::Lambertian;
 using glint::Perturbed;
 using glint::Rgb;
@@ -58,3 +60,5 @@ TEST_CASE("perturbed: obeys the laws of Bsdf", "[bsdf][perturbed][laws]") {
   check_laws(Perturbed{Lambertian{1.0F}, {-0.48F, 0.64F, 0.6F}});
   check_laws(Perturbed{glint::RoughConductor<glint::Ggx>{.distribution = {0.6F, 0.6F}}, {0.0F, -0.28F, 0.96F}});
 }
+
+}  // namespace test_bsdf_perturbed

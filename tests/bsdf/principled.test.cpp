@@ -10,6 +10,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_principled {
+
 using glint::Ggx;
 using glint::Principled;
 using glint::Rgb;
@@ -140,3 +142,5 @@ TEST_CASE("principled: the fuzz takes the base's hue as far as it is told to", "
   CHECK(tinted.evaluate(wo, wi).b < 1e-3F * plain.evaluate(wo, wi).b);
   CHECK(tinted.evaluate(wo, wi).r == Approx(plain.evaluate(wo, wi).r));
 }
+
+}  // namespace test_bsdf_principled

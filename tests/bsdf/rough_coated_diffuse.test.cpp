@@ -11,6 +11,8 @@
 #include <glint/testing/bsdf_laws.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_bsdf_rough_coated_diffuse {
+
 using glint::Beckmann;
 using glint::Ggx;
 using glint::Rgb;
@@ -91,3 +93,5 @@ TEST_CASE("rough_coated_diffuse: obeys the laws of Bsdf", "[bsdf][rough_coated_d
   check_laws(RoughCoatedDiffuse<Ggx>{{0.8F, 0.4F, 0.0F}, {0.5F, 0.2F}, 1.33F}, 0);
   check_laws(RoughCoatedDiffuse<Beckmann>{{0.8F, 0.4F, 0.1F}, {0.4F, 0.4F}, 1.5F}, 0);
 }
+
+}  // namespace test_bsdf_rough_coated_diffuse

@@ -10,6 +10,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_rough_conductor {
+
 using glint::Beckmann;
 using glint::Ggx;
 using glint::Rgb;
@@ -78,3 +80,5 @@ TEMPLATE_TEST_CASE("rough_conductor: obeys the laws of Bsdf", "[bsdf][rough_cond
     CHECK(broken.empty());
   }
 }
+
+}  // namespace test_bsdf_rough_conductor

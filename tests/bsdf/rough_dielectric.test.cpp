@@ -11,6 +11,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_rough_dielectric {
+
 using glint::Beckmann;
 using glint::Ggx;
 using glint::Rgb;
@@ -159,3 +161,5 @@ TEMPLATE_TEST_CASE("rough_dielectric: obeys the laws of Bsdf on both sides", "[b
     CHECK(broken.empty());
   }
 }
+
+}  // namespace test_bsdf_rough_dielectric

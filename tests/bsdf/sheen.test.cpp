@@ -8,6 +8,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_sheen {
+
 using glint::Rgb;
 using glint::Sheen;
 using glint::Vec3;
@@ -75,3 +77,5 @@ TEST_CASE("sheen: obeys the laws of Bsdf", "[bsdf][sheen][laws]") {
     CHECK(broken.empty());
   }
 }
+
+}  // namespace test_bsdf_sheen

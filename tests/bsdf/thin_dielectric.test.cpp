@@ -5,6 +5,8 @@
 
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_thin_dielectric {
+
 using glint::Rgb;
 using glint::ThinDielectric;
 using glint::Vec3;
@@ -65,3 +67,5 @@ TEST_CASE("thin_dielectric: obeys the laws of Bsdf, without loss", "[bsdf][thin_
   CHECK(ThinDielectric{.eta = eta}.is_specular());
   CHECK(glint::testing::violations_of_bsdf_laws(ThinDielectric{.eta = eta}, 1, {.least_albedo = 1}).empty());
 }
+
+}  // namespace test_bsdf_thin_dielectric

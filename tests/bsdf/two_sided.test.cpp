@@ -8,6 +8,8 @@
 #include <glint/bsdf/rough_conductor.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_bsdf_two_sided {
+
 using glint::Lambertian;
 using glint::Mirror;
 using glint::TwoSided;
@@ -51,3 +53,5 @@ TEST_CASE("two_sided: obeys the laws of Bsdf, without loss from either side", "[
   CHECK(glint::testing::violations_of_bsdf_laws(TwoSided{Lambertian{{1.0F}}}, seed, {.least_albedo = 1}).empty());
   CHECK(glint::testing::violations_of_bsdf_laws(TwoSided{Mirror{}}, seed, {.least_albedo = 1}).empty());
 }
+
+}  // namespace test_bsdf_two_sided

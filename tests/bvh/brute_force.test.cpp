@@ -9,6 +9,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_brute_force {
+
 using glint::BruteForce;
 using glint::Elements;
 using glint::Sphere;
@@ -36,3 +38,5 @@ TEST_CASE("brute force: a primitive without a finite box is never hit", "[bvh]")
   CHECK(all.closest({})->primitive == 1);
   CHECK(all.bounds().upper.z == -8);
 }
+
+}  // namespace test_bvh_brute_force

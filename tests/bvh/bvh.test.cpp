@@ -25,6 +25,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_bvh {
+
 namespace {
 
 using glint::BinnedSah;
@@ -196,3 +198,5 @@ TEST_CASE("bvh: hits are shaded by the set", "[bvh]") {
   REQUIRE(hit);
   CHECK(bvh.surface(ray, *hit).normal == Vec3<float>{0, 0, 1});
 }
+
+}  // namespace test_bvh_bvh

@@ -13,6 +13,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_concepts {
+
 TEST_CASE("concepts: the library's builders, layouts and queries model them", "[bvh]") {
   using Set = glint::Boxes<double>;
   STATIC_REQUIRE(glint::BuilderFor<glint::Median, Set>);
@@ -33,3 +35,5 @@ TEST_CASE("concepts: a link with slots is a leaf", "[bvh]") {
   CHECK(leaf.slots().first == 3);
   CHECK(leaf.slots().count == 2);
 }
+
+}  // namespace test_bvh_concepts

@@ -9,6 +9,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_leaves {
+
 TEST_CASE("leaves: closer is a smaller t, then a smaller index", "[bvh][leaves]") {
   const glint::Hit<float> near{.t = 1, .primitive = 5};
   const glint::Hit<float> far{.t = 2, .primitive = 3};
@@ -39,3 +41,5 @@ TEST_CASE("leaves: hits carry the caller's index, not the slot", "[bvh][leaves]"
   CHECK(leaves.occluded(set, ray, leaves.prepare(set, ray), {0, 2}));
   CHECK(leaves.bytes() == 12);
 }
+
+}  // namespace test_bvh_leaves

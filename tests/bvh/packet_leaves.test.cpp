@@ -17,6 +17,8 @@
 #include <support/catch.hpp>
 #include <support/coherent_rays.hpp>
 
+namespace test_bvh_packet_leaves {
+
 namespace {
 
 using glint::Hit;
@@ -98,3 +100,5 @@ TEMPLATE_TEST_CASE("packet leaves: leaves that know single rays alone are asked 
   }
   CHECK(check_leaves(glint::Elements{shapes}, glint::CopiedBlocks<4>{}) > 10);
 }
+
+}  // namespace test_bvh_packet_leaves

@@ -19,6 +19,8 @@
 #include <support/coherent_rays.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_packet_traverse {
+
 namespace {
 
 using glint::Aabb;
@@ -168,3 +170,5 @@ TEST_CASE("packet traverse: in the deepest tree, a sibling waiting on every step
     }
   }
 }
+
+}  // namespace test_bvh_packet_traverse

@@ -28,6 +28,8 @@
 #include <support/catch.hpp>
 #include <support/coherent_rays.hpp>
 
+namespace test_bvh_ray_batch {
+
 namespace {
 
 using glint::Aabb;
@@ -225,3 +227,5 @@ TEST_CASE("ray batch: where going together does not pay, it is tried ever more s
   CHECK(refused.together.empty());
   CHECK(refused.alone.size() == rays.size());
 }
+
+}  // namespace test_bvh_ray_batch

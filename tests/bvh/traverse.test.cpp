@@ -24,6 +24,8 @@
 #include <support/nasty_boxes.hpp>
 #include <support/shared.hpp>
 
+namespace test_bvh_traverse {
+
 namespace {
 
 using glint::Aabb;
@@ -171,3 +173,5 @@ TEST_CASE("traverse: agrees with reference cases", "[bvh][traverse][vectors]") {
     check(glint::SweepSah{});
   }
 }
+
+}  // namespace test_bvh_traverse

@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_tree {
+
 TEST_CASE("tree: a node takes half a cache line in float, a whole one in double", "[bvh]") {
   CHECK(sizeof(glint::BinaryNode<float>) == 32);
   CHECK(sizeof(glint::BinaryNode<double>) <= 64);
@@ -24,3 +26,5 @@ TEST_CASE("tree: equal trees compare equal", "[bvh]") {
   b.order[0] = 1;
   CHECK_FALSE(a == b);
 }
+
+}  // namespace test_bvh_tree

@@ -11,6 +11,8 @@
 #include <glint/math/warp.hpp>
 #include <glint/testing/camera_laws.hpp>
 
+namespace test_camera_importance {
+
 using glint::Vec2;
 using glint::Vec3;
 using glint::testing::violations_of_camera_laws;
@@ -85,3 +87,5 @@ TEST_CASE("importance: one of several cameras answers as itself, and one without
   CHECK_FALSE(glint::sample_toward(OneWay{}, point, {}));
   CHECK(importance(OneWay{}, ray, 2) == 0);
 }
+
+}  // namespace test_camera_importance

@@ -15,6 +15,8 @@
 #include <glint/math/random.hpp>
 #include <glint/math/warp.hpp>
 
+namespace test_camera_neighbor_rays {
+
 namespace {
 
 using glint::RayDifferential;
@@ -92,3 +94,5 @@ TEST_CASE("neighbor rays: a panorama's turn by 2π a width and π a height", "[c
     CHECK(std::abs(glm::dot(found.direction_x, found.direction_y)) < 1e-6F);
   });
 }
+
+}  // namespace test_camera_neighbor_rays

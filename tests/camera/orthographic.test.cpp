@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_camera_orthographic {
+
 TEST_CASE("orthographic: rays are parallel and start in the plane through the eye", "[camera][orthographic]") {
   const glint::Orthographic camera{.eye = {0, 0, 4}, .height = 2};
   const auto rays = camera.rays(1.5F);  // a window of 3 × 2
@@ -20,3 +22,5 @@ TEST_CASE("orthographic: the middle of the film looks at the target", "[camera][
       glint::Orthographic{.eye = {1, 2, 3}, .target = {4, 6, 3}, .height = 7}.rays(2).ray({0.5F, 0.5F}, {});
   CHECK(glm::length(ray.at(5) - glint::Vec3<float>(4, 6, 3)) < 1e-5F);  // |(3, 4, 0)| = 5
 }
+
+}  // namespace test_camera_orthographic

@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_camera_panoramic {
+
 TEST_CASE("panoramic: the target is in the middle, right to the right, up at the top", "[camera][panoramic]") {
   const auto rays = glint::Panoramic{.eye = {0, 0, 5}}.rays(2);
   const auto misses = [&](float x, float y, const glint::Vec3<float>& expected) {
@@ -19,3 +21,5 @@ TEST_CASE("panoramic: the target is in the middle, right to the right, up at the
   CHECK(misses(0.3F, 1, {0, 1, 0}) < 1e-6F);
   CHECK(misses(0.3F, 0, {0, -1, 0}) < 1e-6F);
 }
+
+}  // namespace test_camera_panoramic

@@ -8,6 +8,8 @@
 #include <support/catch.hpp>
 #include <support/shared.hpp>
 
+namespace test_camera_perspective {
+
 namespace {
 
 glint::Vec3<float> point(const nlohmann::json& xyz) {
@@ -64,3 +66,5 @@ TEST_CASE("perspective: agrees with directions worked out in double precision", 
     CHECK(glm::length(ray.direction - point(expected.at("direction"))) <= vectors.at("tolerance").get<float>());
   }
 }
+
+}  // namespace test_camera_perspective

@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_camera_shutter {
+
 using glint::Perspective;
 using glint::Ray;
 using glint::Shutter;
@@ -32,3 +34,5 @@ TEST_CASE("shutter: paths from lights find the camera behind it", "[camera]") {
   const auto ray = rays.ray({0.5F, 0.5F}, {0.5F, 0.5F}, 0.3F);
   CHECK(rays.importance(ray, 2.0F) == camera.rays(1.0F).importance(ray, 2.0F));
 }
+
+}  // namespace test_camera_shutter

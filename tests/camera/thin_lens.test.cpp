@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_camera_thin_lens {
+
 namespace {
 
 constexpr glint::ThinLens camera{
@@ -74,3 +76,5 @@ TEST_CASE("thin lens: without a radius it is the pinhole camera", "[camera][thin
   CHECK(a.origin == b.origin);
   CHECK(glm::length(a.direction - b.direction) < 3e-7F);
 }
+
+}  // namespace test_camera_thin_lens

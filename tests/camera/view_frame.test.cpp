@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_camera_view_frame {
+
 namespace {
 
 using Point = glint::Vec3<float>;
@@ -54,3 +56,5 @@ TEST_CASE("view frame: is orthonormal and right-handed for oblique and nearly de
   CHECK(glm::dot(f.y, f.y) == Approx(1).epsilon(1e-14));
   CHECK(glm::length(glm::cross(f.x, f.y) - f.z) < 1e-9);  // sin of the angle up–view is at least 1e-6: 6 digits lost
 }
+
+}  // namespace test_camera_view_frame

@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_color_compare {
+
 using glint::Image;
 using glint::Rgb;
 
@@ -65,3 +67,5 @@ TEST_CASE("compare: a broken image never looks good", "[color][compare]") {
   CHECK_FALSE(compare(reference, image)->mse < 1e9);
   CHECK_FALSE(compare(reference, image)->relmse < 1e9);
 }
+
+}  // namespace test_color_compare

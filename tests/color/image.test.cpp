@@ -3,6 +3,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_color_image {
+
 using glint::Image;
 using glint::Rgb;
 
@@ -32,3 +34,5 @@ TEST_CASE("image: equal images have equal sizes and pixels", "[color][image]") {
   CHECK_FALSE(Image({2, 3}, 1) == Image({3, 2}, 1));
   CHECK_FALSE(Image({2, 3}, 1) == Image({2, 3}, 2));
 }
+
+}  // namespace test_color_image

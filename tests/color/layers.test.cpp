@@ -7,6 +7,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_color_layers {
+
 namespace {
 
 using glint::Image;
@@ -71,3 +73,5 @@ TEST_CASE("layers: an image that was added comes back", "[color][layers]") {
   CHECK(find_channel(made, "albedo.G")->at(1) == 2);
   CHECK(find_channel(made, "albedo") == nullptr);
 }
+
+}  // namespace test_color_layers

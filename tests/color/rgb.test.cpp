@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_color_rgb {
+
 using glint::Rgb;
 
 TEST_CASE("rgb: arithmetic is channel by channel", "[color][rgb]") {
@@ -27,3 +29,5 @@ TEST_CASE("rgb: one bad channel makes a color not finite", "[color][rgb]") {
   CHECK_FALSE(is_finite(Rgb{1, std::numeric_limits<float>::infinity(), 3}));
   CHECK_FALSE(is_finite(Rgb{std::numeric_limits<float>::quiet_NaN(), 0, 0}));
 }
+
+}  // namespace test_color_rgb

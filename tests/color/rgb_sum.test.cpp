@@ -3,6 +3,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_color_rgb_sum {
+
 using glint::Rgb;
 using glint::RgbSum;
 
@@ -16,3 +18,5 @@ TEST_CASE("rgb sum: what is small is not lost beside what is large", "[color][rg
   for (int i = 0; i < 4; ++i) sum.add({1, 2, 3});
   CHECK(sum.value() == Rgb{16'777'220.0F, 9, 14});
 }
+
+}  // namespace test_color_rgb_sum

@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_color_srgb {
+
 TEMPLATE_TEST_CASE("srgb: the ends and the knee of the curve are where the standard puts them", "[color][srgb]", float,
                    double) {
   CHECK(glint::encode_srgb(TestType(0)) == 0);
@@ -59,3 +61,5 @@ TEST_CASE("srgb: what has no place in eight bits is clipped", "[color][srgb]") {
   CHECK(glint::encode_srgb8(17) == 255);
   CHECK(glint::encode_srgb8(infinity) == 255);
 }
+
+}  // namespace test_color_srgb

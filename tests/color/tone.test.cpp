@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_color_tone {
+
 using Bytes = std::vector<std::uint8_t>;
 
 TEST_CASE("tone: pixels become bytes row by row from the top, red first", "[color][tone]") {
@@ -31,3 +33,5 @@ TEST_CASE("tone: a stop of exposure doubles the light", "[color][tone]") {
   CHECK(glint::to_srgb8(quarter, {.exposure = 2}) == Bytes{255, 255, 255});
   CHECK(glint::to_srgb8(half, {.exposure = -1}) == glint::to_srgb8(quarter));
 }
+
+}  // namespace test_color_tone

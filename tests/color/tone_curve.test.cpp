@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_color_tone_curve {
+
 using glint::Rgb;
 using glint::ToneCurve;
 using glint::toned;
@@ -69,3 +71,5 @@ TEST_CASE("tone curve: AgX turns bright colors white, and leaves dim ones colore
   CHECK(dim.r > 2 * dim.g);
   CHECK(dim.g == dim.b);
 }
+
+}  // namespace test_color_tone_curve

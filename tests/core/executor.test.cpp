@@ -11,6 +11,8 @@
 
 #include <glint/testing/executor_laws.hpp>
 
+namespace test_core_executor {
+
 TEST_CASE("executor: Serial keeps what the concept promises", "[core][executor]") {
   CHECK(glint::testing::violations_of_executor_laws(glint::Serial{}) == std::vector<std::string>{});
 }
@@ -42,3 +44,5 @@ TEST_CASE("executor: what cannot split a loop is no Executor", "[core][executor]
   STATIC_REQUIRE_FALSE(glint::Executor<OnlyInvokes>);
   STATIC_REQUIRE_FALSE(glint::Executor<int>);
 }
+
+}  // namespace test_core_executor

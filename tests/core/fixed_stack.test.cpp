@@ -3,6 +3,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_core_fixed_stack {
+
 TEST_CASE("fixed stack: the last in is the first out, to its capacity", "[core]") {
   glint::FixedStack<int, 3> stack;
   CHECK(stack.empty());
@@ -14,3 +16,5 @@ TEST_CASE("fixed stack: the last in is the first out, to its capacity", "[core]"
   CHECK(stack.pop() == 1);
   CHECK(stack.empty());
 }
+
+}  // namespace test_core_fixed_stack

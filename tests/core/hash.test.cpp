@@ -11,6 +11,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_core_hash {
+
 using glint::hash_bytes;
 
 TEST_CASE("hash: a sequence, its prefixes, and those that differ from it in one bit, all have hashes of their own",
@@ -61,3 +63,5 @@ TEST_CASE("hash: the seed counts, as does what was hashed before", "[core][hash]
   CHECK(hash_bytes({}, 1) != hash_bytes({}, 2));
   CHECK(hash_bytes(bytes, hash_bytes(bytes)) != hash_bytes(bytes));
 }
+
+}  // namespace test_core_hash

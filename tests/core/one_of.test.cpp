@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_core_one_of {
+
 namespace {
 
 struct Scale {
@@ -99,3 +101,5 @@ TEST_CASE("one of: the last of several types is found as the first is", "[core][
   CHECK_FALSE(Many{Silent{}}.visit(is_scale));
   CHECK_FALSE(Many{1}.visit(is_scale));
 }
+
+}  // namespace test_core_one_of

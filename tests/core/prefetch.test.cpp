@@ -7,6 +7,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_core_prefetch {
+
 TEST_CASE("prefetch: objects of any size and place stay as they are", "[core]") {
   std::array<unsigned char, 1000> bytes;
   std::iota(bytes.begin(), bytes.end(), static_cast<unsigned char>(0));
@@ -15,3 +17,5 @@ TEST_CASE("prefetch: objects of any size and place stay as they are", "[core]") 
   for (const unsigned char& byte : bytes) glint::prefetch(byte);
   CHECK(bytes == before);
 }
+
+}  // namespace test_core_prefetch

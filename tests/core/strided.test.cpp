@@ -10,6 +10,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_core_strided {
+
 namespace {
 
 struct Vertex {
@@ -59,3 +61,5 @@ TEST_CASE("strided: triples are read from flat indices of either width", "[core]
   REQUIRE(triples.size() == 2);
   CHECK(triples[1] == std::array<std::uint16_t, 3>{2, 1, 3});
 }
+
+}  // namespace test_core_strided

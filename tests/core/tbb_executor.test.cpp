@@ -12,6 +12,8 @@
 
 #include <glint/testing/executor_laws.hpp>
 
+namespace test_core_tbb_executor {
+
 TEST_CASE("tbb executor: keeps what the concept promises, for any number of threads", "[core][tbb_executor]") {
   using glint::testing::violations_of_executor_laws;
   CHECK(violations_of_executor_laws(glint::TbbExecutor{}) == std::vector<std::string>{});
@@ -68,3 +70,5 @@ TEST_CASE("tbb executor: may be shared by threads", "[core][tbb_executor]") {
   other.join();
   CHECK(sum == 2000);
 }
+
+}  // namespace test_core_tbb_executor

@@ -7,6 +7,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_core_uninitialized {
+
 namespace {
 
 struct alignas(64) Line {
@@ -50,3 +52,5 @@ TEST_CASE("uninitialized vector: a large one begins on a large page, and grows a
   v.shrink_to_fit();
   CHECK(v == Vector{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
 }
+
+}  // namespace test_core_uninitialized

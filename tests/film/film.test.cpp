@@ -12,6 +12,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_film_film {
+
 namespace {
 
 using glint::BoxFilter;
@@ -296,3 +298,5 @@ TEST_CASE("film: odd radii are brought into range", "[film]") {
   const bool covers = radius > 0;
   CHECK(film.develop() == Image(Vec2i{40, 40}, covers ? 1.0F : 0.0F));
 }
+
+}  // namespace test_film_film

@@ -11,6 +11,8 @@
 #include <support/catch.hpp>
 #include <support/shared.hpp>
 
+namespace test_film_filter {
+
 namespace {
 
 using glint::BoxFilter;
@@ -100,3 +102,5 @@ TEST_CASE("filter: agrees with the scene format", "[film][filter][vectors]") {
     check(v, MitchellFilter{number(v, "radius"), number(v, "B"), number(v, "C")});
   }
 }
+
+}  // namespace test_film_filter

@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_film_sample_statistics {
+
 using glint::Rgb;
 using glint::SampleStatistics;
 
@@ -32,3 +34,5 @@ TEST_CASE("sample statistics: small variance around a large mean is not lost", "
   // ± 1/4 around the mean: 1/16 · 1000 / 999 for the samples.
   CHECK(statistics.variance_of_mean().g == Approx(1.0 / 16 / 999).epsilon(1e-6));
 }
+
+}  // namespace test_film_sample_statistics

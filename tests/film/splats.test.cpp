@@ -10,6 +10,8 @@
 
 #include <glint/film/film.hpp>
 
+namespace test_film_splats {
+
 using glint::Rgb;
 using glint::Splats;
 
@@ -60,3 +62,5 @@ TEST_CASE("splats: a film shows their mean over paths beside its samples, until 
   film.clear();
   CHECK(film.develop()(2, 1) == Rgb{0});
 }
+
+}  // namespace test_film_splats

@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_aabb {
+
 using glint::Aabb;
 using glint::Vec3;
 
@@ -78,3 +80,5 @@ TEMPLATE_TEST_CASE("aabb: a bounded box is neither empty nor infinite", "[geomet
   CHECK_FALSE(is_bounded(Aabb<TestType>{{0, 0, nan}, {1, 1, 1}}));
   CHECK_FALSE(is_bounded(Aabb<TestType>{{0, 2, 0}, {1, 1, 1}}));
 }
+
+}  // namespace test_geometry_aabb

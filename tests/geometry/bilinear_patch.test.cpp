@@ -17,6 +17,8 @@
 #include <glint/testing/bounds_laws.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_bilinear_patch {
+
 static_assert(glint::ShadablePrimitive<glint::BilinearPatch<float>> &&
               glint::ShadablePrimitive<glint::BilinearPatch<double>>);
 
@@ -207,3 +209,5 @@ TEMPLATE_TEST_CASE("bilinear patch: obeys the laws of Primitive, in tight bounds
   const auto saddle = curved_patches<TestType>()[0];
   CHECK(glint::testing::violations_of_tight_bounds(saddle, seed, TestType(0.1)) == std::vector<std::string>{});
 }
+
+}  // namespace test_geometry_bilinear_patch

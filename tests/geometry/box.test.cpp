@@ -12,6 +12,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_box {
+
 static_assert(glint::ShadablePrimitive<glint::Box<float>> && glint::SampleablePrimitive<glint::Box<double>>);
 
 TEMPLATE_TEST_CASE("box: each face is hit from outside and from inside, and faces outward", "[geometry][box]", float,
@@ -161,3 +163,5 @@ TEMPLATE_TEST_CASE("box: no point of it is closer than its closest point", "[geo
   const glint::Box<T> shape{.lower = {-1, T(-1.5), 0}, .upper = {1, T(0.5), 1}};
   CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }
+
+}  // namespace test_geometry_box

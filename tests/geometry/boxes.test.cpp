@@ -7,6 +7,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_boxes {
+
 TEMPLATE_TEST_CASE("boxes: view the user's boxes", "[geometry]", float, double) {
   using Box = glint::Aabb<TestType>;
   std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, {3, 3, 3}}};
@@ -19,3 +21,5 @@ TEMPLATE_TEST_CASE("boxes: view the user's boxes", "[geometry]", float, double) 
   CHECK(glint::Boxes{std::span{boxes}}.size() == 2);
   CHECK(glint::Boxes<TestType>{}.size() == 0);
 }
+
+}  // namespace test_geometry_boxes

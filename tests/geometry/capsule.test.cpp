@@ -17,6 +17,8 @@
 #include <glint/testing/bounds_laws.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_capsule {
+
 static_assert(glint::ShadablePrimitive<glint::Capsule<float>> && glint::SampleablePrimitive<glint::Capsule<double>> &&
               glint::ClosestPointPrimitive<glint::Capsule<float>>);
 
@@ -166,3 +168,5 @@ TEMPLATE_TEST_CASE("capsule: no point of it is closer than its closest point", "
   const glint::Capsule<T> shape{.start = {T(0.5), 0, -1}, .end = {0, 1, T(0.25)}, .radius = T(0.5)};
   CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }
+
+}  // namespace test_geometry_capsule

@@ -12,6 +12,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_clip {
+
 namespace {
 
 using glint::Aabb;
@@ -210,3 +212,5 @@ TEST_CASE("clip: polygons of more corners are cut alike", "[geometry][clip]") {
   CHECK(top.upper.x == Approx(0.5F).epsilon(1e-4));
   CHECK(top.lower.y == 0.5F);
 }
+
+}  // namespace test_geometry_clip

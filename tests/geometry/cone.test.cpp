@@ -16,6 +16,8 @@
 #include <glint/testing/bounds_laws.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_cone {
+
 static_assert(glint::ShadablePrimitive<glint::Cone<float>> && glint::SampleablePrimitive<glint::Cone<double>> &&
               glint::ClosestPointPrimitive<glint::Cone<float>>);
 
@@ -243,3 +245,5 @@ TEMPLATE_TEST_CASE("cone: no point of it is closer than its closest point", "[ge
   shape.ends = glint::Ends::Open;
   CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }
+
+}  // namespace test_geometry_cone

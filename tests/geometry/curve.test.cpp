@@ -9,6 +9,8 @@
 
 #include <glint/math/random.hpp>
 
+namespace test_geometry_curve {
+
 namespace {
 
 template <typename T>
@@ -96,3 +98,5 @@ TEMPLATE_TEST_CASE("curve: the box holds the spheres along it, and no more", "[g
     CHECK(glint::max_component(glint::abs(swept.upper - box.upper)) < T(4e-6));
   }
 }
+
+}  // namespace test_geometry_curve

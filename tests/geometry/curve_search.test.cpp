@@ -8,6 +8,8 @@
 
 #include <glint/math/random.hpp>
 
+namespace test_geometry_curve_search {
+
 TEMPLATE_TEST_CASE("curve search: a rising zero is found to the last places", "[geometry][curve_search]", float,
                    double) {
   using T = TestType;
@@ -67,3 +69,5 @@ TEMPLATE_TEST_CASE("curve search: t is told from where the ray sees the curve", 
     CHECK(p.radius == T(0.5));
   }
 }
+
+}  // namespace test_geometry_curve_search

@@ -16,6 +16,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/random_rays.hpp>
 
+namespace test_geometry_curve_set {
+
 namespace {
 
 using glint::CurveSet;
@@ -219,3 +221,5 @@ TEMPLATE_TEST_CASE("curve set: rays that leave a ribbon do not meet it turned to
   CHECK(left > 2000);
   CHECK(wrong * 100 <= left);  // the curve bends and tapers: a few, where the argument for straight ones does not hold
 }
+
+}  // namespace test_geometry_curve_set

@@ -15,6 +15,8 @@
 #include <glint/testing/bounds_laws.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_cylinder {
+
 static_assert(glint::ShadablePrimitive<glint::Cylinder<float>> && glint::SampleablePrimitive<glint::Cylinder<double>> &&
               glint::ClosestPointPrimitive<glint::Cylinder<float>>);
 
@@ -79,3 +81,5 @@ TEMPLATE_TEST_CASE("cylinder: area, box and closest points are those of the text
   CHECK(area(shape) == Approx(2 * glint::pi<double> * 0.5 * 2));
   CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }
+
+}  // namespace test_geometry_cylinder

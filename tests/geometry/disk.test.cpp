@@ -11,6 +11,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_disk {
+
 static_assert(glint::ShadablePrimitive<glint::Disk<float>> && glint::SampleablePrimitive<glint::Disk<double>>);
 
 TEMPLATE_TEST_CASE("disk: is hit from both sides, whatever the length of its normal", "[geometry][disk]", float,
@@ -167,3 +169,5 @@ TEMPLATE_TEST_CASE("disk: no point of it is closer than its closest point", "[ge
   const glint::Disk<T> shape{.center = {T(0.5), 0, 0}, .normal = {1, 2, -2}, .radius = 1};
   CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }
+
+}  // namespace test_geometry_disk

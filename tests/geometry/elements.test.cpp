@@ -14,6 +14,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_elements {
+
 namespace user {
 
 /// A wall at a height, as somebody who knows nothing but the concept would write it.
@@ -106,3 +108,5 @@ TEMPLATE_TEST_CASE("elements: clip where their primitives do", "[geometry][eleme
   const glint::Aabb<T> cell{{T(0), T(3), T(0)}, {T(4), T(4), T(0)}};
   CHECK(set.clip(0, cell) == clip(one[0], cell));
 }
+
+}  // namespace test_geometry_elements

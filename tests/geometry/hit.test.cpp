@@ -3,6 +3,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_hit {
+
 TEMPLATE_TEST_CASE("hit: the default names no primitive, and none within it", "[geometry][hit]", float, double) {
   const glint::Hit<TestType> hit;
   CHECK(hit.primitive == glint::none<std::uint32_t>);
@@ -10,3 +12,5 @@ TEMPLATE_TEST_CASE("hit: the default names no primitive, and none within it", "[
   CHECK(glint::Hit<TestType, std::uint64_t>{}.primitive == glint::none<std::uint64_t>);
   CHECK(hit == glint::Hit<TestType>{});
 }
+
+}  // namespace test_geometry_hit

@@ -3,6 +3,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_mesh_buffers {
+
 TEMPLATE_TEST_CASE("mesh buffers: are a value, empty at first", "[geometry][mesh_buffers]", float, double) {
   glint::MeshBuffers<TestType> mesh;
   CHECK(mesh.positions.empty());
@@ -14,3 +16,5 @@ TEMPLATE_TEST_CASE("mesh buffers: are a value, empty at first", "[geometry][mesh
   copy.indices[2] = 1;
   CHECK_FALSE(copy == mesh);
 }
+
+}  // namespace test_geometry_mesh_buffers

@@ -11,6 +11,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_motion {
+
 using glint::Aabb;
 using glint::Moment;
 using glint::MotionBounds;
@@ -66,3 +68,5 @@ TEST_CASE("motion: of two keys, linear bounds are their boxes; of one that is no
   CHECK(is_empty(glint::linear_bounds<float>(lost).begin));
   CHECK(is_empty(glint::swept_bounds<float>(lost)));
 }
+
+}  // namespace test_geometry_motion

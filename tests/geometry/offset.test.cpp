@@ -14,6 +14,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_offset {
+
 namespace {
 
 using glint::Ray;
@@ -183,3 +185,5 @@ TEMPLATE_TEST_CASE("offset: neither end of a ray between two surfaces hides the 
   CHECK(hidden == 0);
   CHECK(wrong_end == 0);
 }
+
+}  // namespace test_geometry_offset

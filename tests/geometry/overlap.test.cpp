@@ -13,6 +13,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_overlap {
+
 namespace {
 
 using glint::Aabb;
@@ -138,3 +140,5 @@ TEST_CASE("overlap: a primitive that says nothing is its box", "[geometry][overl
   const std::vector<glint::Box<float>> boxes{{{0, 0, 0}, {1, 1, 1}}};  // which is found by its closest point
   CHECK_FALSE(glint::overlaps(glint::Elements{boxes}, 0, Ball<float>{{0.5F, 0.5F, 0.5F}, 0.4F}));
 }
+
+}  // namespace test_geometry_overlap

@@ -11,6 +11,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_quad {
+
 static_assert(glint::ShadablePrimitive<glint::Quad<float>> && glint::SampleablePrimitive<glint::Quad<double>>);
 
 TEMPLATE_TEST_CASE("quad: a hit's uv are the fractions along its edges", "[geometry][quad]", float, double) {
@@ -118,3 +120,5 @@ TEMPLATE_TEST_CASE("quad: no point of it is closer than its closest point", "[ge
   const glint::Quad<T> shape{.origin = {-1, -1, T(0.5)}, .edge_u = {2, T(0.5), 0}, .edge_v = {T(1.5), 1, T(-0.5)}};
   CHECK(glint::testing::violations_of_closest_points(shape).empty());
 }
+
+}  // namespace test_geometry_quad

@@ -3,6 +3,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_ray {
+
 TEMPLATE_TEST_CASE("ray: t counts multiples of the direction", "[geometry][ray]", float, double) {
   const glint::Ray<TestType> ray{.origin = {1, 2, 3}, .direction = {0, 0, 2}};
   CHECK(ray.at(0) == glint::Vec3<TestType>{1, 2, 3});
@@ -16,3 +18,5 @@ TEMPLATE_TEST_CASE("ray: the default starts at the origin, looks along -z and ne
   CHECK(ray.t_min == 0);
   CHECK(ray.t_max == glint::infinity<TestType>);
 }
+
+}  // namespace test_geometry_ray

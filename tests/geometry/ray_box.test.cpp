@@ -12,6 +12,8 @@
 #include <support/catch.hpp>
 #include <support/shared.hpp>
 
+namespace test_geometry_ray_box {
+
 namespace {
 
 using glint::Aabb;
@@ -193,3 +195,5 @@ TEMPLATE_TEST_CASE("ray/box: the conservative test misses no box that the ray tr
   CHECK(missed_by_conservative == 0);
   CHECK(found_far_outside == 0);
 }
+
+}  // namespace test_geometry_ray_box

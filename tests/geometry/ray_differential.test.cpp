@@ -9,6 +9,8 @@
 
 #include <glint/math/random.hpp>
 
+namespace test_geometry_ray_differential {
+
 namespace {
 
 using glint::Ray;
@@ -65,3 +67,5 @@ TEST_CASE("ray differential: stays finite where a ray runs along the surface", "
   CHECK(glint::is_finite(footprint.x));
   CHECK(footprint.y == glint::Vec3<float>{0, 0.02F, 0});
 }
+
+}  // namespace test_geometry_ray_differential

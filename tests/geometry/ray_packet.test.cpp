@@ -12,6 +12,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_ray_packet {
+
 namespace {
 
 using glint::Ray;
@@ -144,3 +146,5 @@ TEMPLATE_TEST_CASE("ray packet: rays that need care are not coherent", "[geometr
   for (auto& ray : still) ray.direction = Vec3<T>(T(0));
   CHECK_FALSE(are_coherent(still));
 }
+
+}  // namespace test_geometry_ray_packet

@@ -14,6 +14,8 @@
 #include <support/closed_meshes.hpp>
 #include <support/shared.hpp>
 
+namespace test_geometry_ray_triangle {
+
 namespace {
 
 using glint::length_squared;
@@ -249,3 +251,5 @@ TEMPLATE_TEST_CASE("degenerate: three points on a line, and nothing thinner than
   off.x = std::nextafter(off.x, T(100));
   CHECK_FALSE(glint::is_degenerate(a, a + step, off));
 }
+
+}  // namespace test_geometry_ray_triangle

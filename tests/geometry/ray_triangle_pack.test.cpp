@@ -14,6 +14,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_ray_triangle_pack {
+
 namespace {
 
 using glint::MoellerTrumbore;
@@ -194,3 +196,5 @@ TEMPLATE_TEST_CASE("triangle packs: a lane of NaNs, and one where all vertices a
   CHECK(found.hit == 1);
   CHECK((found.tied & ~2U) == 0);  // whether the point is hit is left to the test of one triangle, which knows points
 }
+
+}  // namespace test_geometry_ray_triangle_pack

@@ -9,6 +9,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_region {
+
 namespace {
 
 using glint::Aabb;
@@ -109,3 +111,5 @@ TEMPLATE_TEST_CASE("region: boxes overlap where they touch, and empty ones nowhe
   CHECK_FALSE(overlaps(unit, Aabb<T>{}));
   CHECK(overlaps(unit, Frustum<T>{}));  // all of space
 }
+
+}  // namespace test_geometry_region

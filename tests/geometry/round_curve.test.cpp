@@ -16,6 +16,8 @@
 #include <glint/testing/bounds_laws.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_round_curve {
+
 static_assert(glint::ShadablePrimitive<glint::RoundCurve<float>> &&
               glint::ShadablePrimitive<glint::RoundCurve<double>>);
 
@@ -216,3 +218,5 @@ TEMPLATE_TEST_CASE("round curve: obeys the laws of Primitive, in tight bounds", 
     if (seed == 0) CHECK(glint::testing::violations_of_tight_bounds(shape, seed) == std::vector<std::string>{});
   }
 }
+
+}  // namespace test_geometry_round_curve

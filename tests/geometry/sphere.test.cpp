@@ -11,6 +11,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/primitive_laws.hpp>
 
+namespace test_geometry_sphere {
+
 static_assert(glint::ShadablePrimitive<glint::Sphere<float>> && glint::SampleablePrimitive<glint::Sphere<double>>);
 
 TEMPLATE_TEST_CASE("sphere: an axial ray enters one radius before the center", "[geometry][sphere]", float, double) {
@@ -232,3 +234,5 @@ TEMPLATE_TEST_CASE("sphere: no point of it is closer than its closest point", "[
   CHECK(glint::testing::violations_of_closest_points(shape).empty());
   CHECK(closest_point(shape.center, shape) == shape.center + glint::Vec3<T>(1, 0, 0));
 }
+
+}  // namespace test_geometry_sphere

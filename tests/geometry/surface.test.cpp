@@ -3,6 +3,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_surface {
+
 using glint::SurfaceOf;
 
 TEMPLATE_TEST_CASE("surface: without its own, the shading normal is the geometric one", "[geometry][surface]", float,
@@ -22,3 +24,5 @@ TEST_CASE("surface: a cast keeps every member", "[geometry][surface]") {
                             .footprint = {{1, 0, 0}, {0, 0, 0.5}}};
   CHECK(glint::surface_cast<double>(glint::surface_cast<float>(s)) == s);  // all are floats
 }
+
+}  // namespace test_geometry_surface

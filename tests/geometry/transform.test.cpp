@@ -8,6 +8,8 @@
 #include <glint/geometry/sphere.hpp>
 #include <glint/math/random.hpp>
 
+namespace test_geometry_transform {
+
 namespace {
 
 template <typename T>
@@ -91,3 +93,5 @@ TEMPLATE_TEST_CASE("transform: an unknown position error stays unknown", "[geome
   const glint::Affine<TestType> identity;
   CHECK(transform(identity, identity, glint::SurfaceOf<TestType>{}) == glint::SurfaceOf<TestType>{});
 }
+
+}  // namespace test_geometry_transform

@@ -12,6 +12,8 @@
 #include <support/catch.hpp>
 #include <support/closest_points.hpp>
 
+namespace test_geometry_triangle {
+
 namespace {
 
 using glint::Triangle;
@@ -138,3 +140,5 @@ TEMPLATE_TEST_CASE("triangle: no point of it is closer than its closest point", 
   const glint::Triangle<T> segment{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};  // no area: what its edges are
   CHECK(closest_point(glint::Vec3<T>(2, 5, 0), segment) == glint::Vec3<T>(2, 0, 0));
 }
+
+}  // namespace test_geometry_triangle

@@ -14,6 +14,8 @@
 #include <support/catch.hpp>
 #include <support/closed_meshes.hpp>
 
+namespace test_geometry_triangle_mesh {
+
 namespace {
 
 using glint::MeshBuffers;
@@ -152,3 +154,5 @@ TEMPLATE_TEST_CASE("mesh: a triangle is clipped as one that stands alone", "[geo
   CHECK(view(buffers).clip(0, cell) == clip(view(buffers).triangle(0), cell));
   CHECK_FALSE(is_empty(view(buffers).clip(1, cell)));
 }
+
+}  // namespace test_geometry_triangle_mesh

@@ -12,6 +12,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_triangle_triangle {
+
 namespace {
 
 using glint::Triangle;
@@ -163,3 +165,5 @@ TEMPLATE_TEST_CASE("triangles: one that is there twice overlaps itself, and one 
   CHECK_FALSE(overlaps_beyond_corners(needle, t));
   CHECK_FALSE(overlaps(t, Triangle<T>{t.v0, {std::numeric_limits<T>::quiet_NaN(), 0, 0}, t.v2}));
 }
+
+}  // namespace test_geometry_triangle_triangle

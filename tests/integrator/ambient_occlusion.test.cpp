@@ -10,6 +10,8 @@
 #include <glint/geometry/sphere.hpp>
 #include <glint/light/point.hpp>
 
+namespace test_integrator_ambient_occlusion {
+
 using glint::AmbientOcclusion;
 using glint::Ray;
 
@@ -42,3 +44,5 @@ TEST_CASE("ambient occlusion: nothing is white", "[integrator][ambient_occlusion
   const Ray<float> away{.origin = {0, 9, 0}, .direction = {0, 1, 0}};
   CHECK(estimate(AmbientOcclusion{}, scene, away, 1).mean == 1);
 }
+
+}  // namespace test_integrator_ambient_occlusion

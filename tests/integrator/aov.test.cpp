@@ -23,6 +23,8 @@
 #include <glint/sampler/independent.hpp>
 #include <glint/scene/scene.hpp>
 
+namespace test_integrator_aov {
+
 namespace aov = glint::aov;
 using glint::none;
 using glint::Ray;
@@ -155,3 +157,5 @@ TEST_CASE("aov: light and statistics as they are handed over", "[integrator][aov
   CHECK(aov::SampleCount{}.of_samples(statistics) == 2);
   CHECK(aov::Variance{}.of_samples(statistics) == Rgb{1});  // 2 for the samples, over 2
 }
+
+}  // namespace test_integrator_aov

@@ -14,6 +14,8 @@
 #include <glint/sampler/independent.hpp>
 #include <glint/scene/scene.hpp>
 
+namespace test_integrator_aov_layers {
+
 namespace aov = glint::aov;
 using glint::AovLayers;
 using glint::LightShares;
@@ -132,3 +134,5 @@ TEST_CASE("aov layers: a rendering begins each pixel anew", "[integrator][aov_la
   }
   CHECK(value(layers, "origin.x", 0) == 2);
 }
+
+}  // namespace test_integrator_aov_layers

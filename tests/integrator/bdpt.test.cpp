@@ -22,6 +22,8 @@
 #include <glint/light/point.hpp>
 #include <glint/material/material_table.hpp>
 
+namespace test_integrator_bdpt {
+
 using glint::Bdpt;
 using glint::Lambertian;
 using glint::LightStrategy;
@@ -114,3 +116,5 @@ TEST_CASE("bdpt: no depth, no light", "[integrator][bdpt]") {
   const Furnace furnace;
   CHECK(block_means(Bdpt{.max_depth = 0}, furnace.scene(0.5F), view, 1, 2, 1).blocks.at(4).mean == 0);
 }
+
+}  // namespace test_integrator_bdpt

@@ -11,6 +11,8 @@
 #include <glint/sampler/independent.hpp>
 #include <glint/scene/scene.hpp>
 
+namespace test_integrator_concepts {
+
 namespace {
 
 using TestScene = glint::Scene<glint::BruteForce<glint::Elements<glint::Sphere<float>>>>;
@@ -32,3 +34,5 @@ TEST_CASE("integrator: the library's and a user's model one concept", "[integrat
   STATIC_REQUIRE(glint::IntegratorFor<Distance, TestScene, TestSampler>);
   STATIC_REQUIRE_FALSE(glint::IntegratorFor<int, TestScene, TestSampler>);
 }
+
+}  // namespace test_integrator_concepts

@@ -14,6 +14,8 @@
 #include <glint/light/point.hpp>
 #include <glint/material/material_table.hpp>
 
+namespace test_integrator_direct {
+
 using glint::Direct;
 using glint::Lambertian;
 using glint::LightStrategy;
@@ -104,3 +106,5 @@ TEST_CASE("direct: a floor under a uniform sky shows its reflectance", "[integra
     CHECK(estimate(Direct{.strategy = strategy}, scene, Ray<float>{.direction = {0, 1, 0}}, 1).mean == 2);
   }
 }
+
+}  // namespace test_integrator_direct

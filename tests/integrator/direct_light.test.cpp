@@ -13,6 +13,8 @@
 #include <glint/light/point.hpp>
 #include <glint/scene/scene.hpp>
 
+namespace test_integrator_direct_light {
+
 using glint::Rgb;
 
 TEST_CASE("direct light: reaches a surface that sees the light, and no other", "[integrator][direct_light]") {
@@ -35,3 +37,5 @@ TEST_CASE("direct light: light from infinity is stopped by anything on its way",
   CHECK_FALSE(is_lit(scene, at, *glint::DirectionalLight{{0, 0, -1}, Rgb{1}}.sample({0, 0, 0}, {0, 0})));
   CHECK(is_lit(scene, at, *glint::DirectionalLight{{0, -1, -1}, Rgb{1}}.sample({0, 0, 0}, {0, 0})));
 }
+
+}  // namespace test_integrator_direct_light

@@ -14,6 +14,8 @@
 #include <glint/sampler/independent.hpp>
 #include <glint/scene/scene.hpp>
 
+namespace test_integrator_emitters {
+
 TEST_CASE("emitters: the mean flux of rays is the power of all lights, and densities are as stated",
           "[integrator][emitters]") {
   using Light = glint::OneOf<glint::PointLight, glint::AreaLight<glint::Quad<float>>, glint::ConstantEnvironment>;
@@ -48,3 +50,5 @@ TEST_CASE("emitters: in the dark nothing is chosen", "[integrator][emitters]") {
   auto sampler = glint::Independent{}.stream({0, 0}, 0);
   CHECK_FALSE(glint::Emitters(scene).sample(scene, sampler));
 }
+
+}  // namespace test_integrator_emitters

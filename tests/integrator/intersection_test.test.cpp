@@ -13,6 +13,8 @@
 #include <glint/light/point.hpp>
 #include <glint/material/material_table.hpp>
 
+namespace test_integrator_intersection_test {
+
 using glint::Falloff;
 using glint::IntersectionTest;
 using glint::Lambertian;
@@ -83,3 +85,5 @@ TEST_CASE("intersection test: an environment is seen past everything and lights 
   const auto [mean, error] = estimate(IntersectionTest{}, scene, down, 40'000);
   CHECK(std::abs(mean - 1) <= 4 * error);  // ρ L
 }
+
+}  // namespace test_integrator_intersection_test

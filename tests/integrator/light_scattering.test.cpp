@@ -10,6 +10,8 @@
 #include <glint/math/random.hpp>
 #include <glint/math/warp.hpp>
 
+namespace test_integrator_light_scattering {
+
 using glint::Vec3;
 
 namespace {
@@ -64,3 +66,5 @@ TEST_CASE("light scattering: light along the surface brings nothing", "[integrat
   const glint::Interaction<glint::Lambertian> at{.wo = {1, 0, 0}};
   CHECK(scattered_flux(at, at.wo, {0, 0, 1}, {0, 0, 1}) == glint::Rgb{0});
 }
+
+}  // namespace test_integrator_light_scattering

@@ -6,6 +6,8 @@
 
 #include <glint/bsdf/mirror.hpp>
 
+namespace test_integrator_light_search {
+
 using glint::Arrival;
 using glint::LightSearch;
 using glint::LightStrategy;
@@ -31,3 +33,5 @@ TEST_CASE("light search: lights are not looked for from mirrors, nor by those wh
   CHECK_FALSE(LightSearch{}.looks_from(glint::Interaction<glint::Mirror>{}));
   CHECK_FALSE(LightSearch{LightStrategy::RandomWalk}.looks_from(glint::Interaction<glint::Lambertian>{}));
 }
+
+}  // namespace test_integrator_light_search

@@ -9,6 +9,8 @@
 #include <glint/integrator/path.hpp>
 #include <glint/sampler/independent.hpp>
 
+namespace test_integrator_light_shares {
+
 using glint::Direct;
 using glint::light_shares;
 using glint::LightShares;
@@ -96,3 +98,5 @@ TEST_CASE("light shares: not every integrator tells them", "[integrator][light_s
   static_assert(glint::TermwiseIntegratorFor<Direct, Scene, glint::IndependentSampler>);
   static_assert(!glint::TermwiseIntegratorFor<glint::AmbientOcclusion, Scene, glint::IndependentSampler>);
 }
+
+}  // namespace test_integrator_light_shares

@@ -16,6 +16,8 @@
 #include <glint/light/environment.hpp>
 #include <glint/light/point.hpp>
 
+namespace test_integrator_light_tracer {
+
 using glint::Lambertian;
 using glint::LightTracer;
 using glint::Path;
@@ -90,3 +92,5 @@ TEST_CASE("light tracer: depth one shows the lights alone", "[integrator][light_
   CHECK(seen.blocks.at(4).mean == Approx(1).epsilon(1e-6));
   CHECK(block_means(LightTracer{.max_depth = 0}, furnace.scene(0.5F), view, 1, 2, 1).blocks.at(4).mean == 0);
 }
+
+}  // namespace test_integrator_light_tracer

@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_integrator_mis {
+
 using glint::power_heuristic;
 
 TEST_CASE("power heuristic: the weights of two strategies add up to one", "[integrator][mis]") {
@@ -20,3 +22,5 @@ TEST_CASE("power heuristic: huge densities do not overflow, impossible ones weig
   CHECK(power_heuristic(1, 0) == 1);
   CHECK(power_heuristic(1, std::numeric_limits<float>::infinity()) == 0);
 }
+
+}  // namespace test_integrator_mis

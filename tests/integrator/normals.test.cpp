@@ -9,6 +9,8 @@
 #include <glint/geometry/sphere.hpp>
 #include <glint/light/point.hpp>
 
+namespace test_integrator_normals {
+
 TEST_CASE("normals: components become colors, and nothing is black", "[integrator][normals]") {
   const std::vector<glint::Sphere<float>> ball{{.center = {0, 0, 0}, .radius = 1}};
   const glint::Scene scene{glint::Bvh{glint::Elements{ball}}, glint::Lambertian{glint::Rgb{0.5F}},
@@ -27,3 +29,5 @@ TEST_CASE("normals: components become colors, and nothing is black", "[integrato
   const glint::Ray<float> away{.origin = {2, 0, 0}, .direction = {1, 0, 0}};
   CHECK(glint::Normals{}.radiance(scene, away, sampler) == glint::Rgb{});
 }
+
+}  // namespace test_integrator_normals

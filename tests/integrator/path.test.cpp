@@ -13,6 +13,8 @@
 #include <glint/light/point.hpp>
 #include <glint/material/two_sided.hpp>
 
+namespace test_integrator_path {
+
 using glint::Lambertian;
 using glint::LightStrategy;
 using glint::Path;
@@ -118,3 +120,5 @@ TEST_CASE("path: a mirror shows what it reflects", "[integrator][path]") {
   CHECK(estimate(Path{}, scene, Ray<float>{}, 4).mean == Approx(2.1).epsilon(1e-6));
   CHECK(estimate(Path{.max_depth = 1}, scene, Ray<float>{}, 4).mean == 0);
 }
+
+}  // namespace test_integrator_path

@@ -8,6 +8,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_integrator_path_densities {
+
 using glint::PathDensities;
 
 namespace {
@@ -117,3 +119,5 @@ TEST_CASE("path densities: a specular vertex is no place to connect", "[integrat
   CHECK(d.last == 0);
   CHECK(d.earlier == 1.25);  // 5 · ½²
 }
+
+}  // namespace test_integrator_path_densities

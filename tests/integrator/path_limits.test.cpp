@@ -16,6 +16,8 @@
 #include <glint/light/point.hpp>
 #include <glint/material/material_table.hpp>
 
+namespace test_integrator_path_limits {
+
 using glint::BounceLimits;
 using glint::LightClamp;
 using glint::Path;
@@ -95,3 +97,5 @@ TEST_CASE("path limits: a path clamps direct and indirect light by limits of the
   CHECK(seen({.indirect = 0.125F}, down, 2) == Approx(1 / glint::pi<double>));
   CHECK(seen({.indirect = 0.125F}, to_mirror, 3) == Approx(0.125));
 }
+
+}  // namespace test_integrator_path_limits

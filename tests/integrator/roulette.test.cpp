@@ -5,6 +5,8 @@
 
 #include <glint/sampler/independent.hpp>
 
+namespace test_integrator_roulette {
+
 TEST_CASE("roulette: keeps the mean, and leaves strong paths alone", "[integrator][roulette]") {
   const glint::Independent sequence{.seed = 1};
   double sum = 0;
@@ -23,3 +25,5 @@ TEST_CASE("roulette: keeps the mean, and leaves strong paths alone", "[integrato
   CHECK(glint::survives_roulette(strong, 0.4F, sampler));
   CHECK(strong == glint::Rgb{0.4F});
 }
+
+}  // namespace test_integrator_roulette

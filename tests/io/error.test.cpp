@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_io_error {
+
 TEST_CASE("io error: the message is file, line and problem, as compilers print them", "[io][error]") {
   const glint::IoError error("meshes/cornell.obj", 12, "face refers to vertex 99, but the file has 8 vertices");
   CHECK(std::string(error.what()) == "meshes/cornell.obj:12: face refers to vertex 99, but the file has 8 vertices");
@@ -23,3 +25,5 @@ TEST_CASE("io error: a problem with the file as a whole has no place", "[io][err
   CHECK(std::string(error.what()) == "room.json: is empty");
   CHECK(error.place().empty());
 }
+
+}  // namespace test_io_error

@@ -12,6 +12,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_exr_layers {
+
 namespace {
 
 using glint::Channel;
@@ -150,3 +152,5 @@ TEST_CASE("exr layers: what is no picture is not written", "[io][exr_layers]") {
         std::string::npos);
   CHECK_FALSE(std::filesystem::exists(directory / "a.exr"));
 }
+
+}  // namespace test_io_exr_layers

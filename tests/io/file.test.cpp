@@ -12,6 +12,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_file {
+
 using glint::IoError;
 using glint::read_file;
 using glint::replace_file;
@@ -139,3 +141,5 @@ TEST_CASE("file: of many writers at once, one wins as a whole", "[io][file]") {
   CHECK(content == std::string(20'000, content[0]));
   CHECK(directory.entries() == 1);
 }
+
+}  // namespace test_io_file

@@ -6,6 +6,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_image {
+
 using glint::Image;
 using glint::IoError;
 using glint::read_image;
@@ -46,3 +48,5 @@ TEST_CASE("image file: other extensions are errors that name those that work", "
             },
             name) == ": cannot be written as an image: expected .exr, .hdr or .png");
 }
+
+}  // namespace test_io_image

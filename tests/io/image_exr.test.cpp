@@ -18,6 +18,8 @@
 #include <support/shared.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_image_exr {
+
 namespace {
 
 using glint::ExrCompression;
@@ -309,3 +311,5 @@ TEST_CASE("exr: the reference images are read", "[io][exr][shared]") {
   CHECK(is_finite(sum));
   CHECK(luminance(sum) > 0);
 }
+
+}  // namespace test_io_image_exr

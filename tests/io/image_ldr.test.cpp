@@ -13,6 +13,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_image_ldr {
+
 namespace {
 
 using glint::Encoding;
@@ -305,3 +307,5 @@ TEST_CASE("ldr: what cannot be written is an error that changes nothing", "[io][
   CHECK(content_of(path) == "former");
   CHECK(directory.entries() == 1);
 }
+
+}  // namespace test_io_image_ldr

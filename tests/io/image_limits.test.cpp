@@ -6,6 +6,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_image_limits {
+
 using glint::max_image_pixels;
 using glint::require_readable_size;
 
@@ -27,3 +29,5 @@ TEST_CASE("image limits: the message names what the file claims", "[io][limits]"
   CHECK(glint::testing::message_of<glint::IoError>([] { require_readable_size("a.png", 100'000, 90'000); }) ==
         "a.png: the header claims 100000 x 90000 pixels, expected 1 to 268435456 in all");
 }
+
+}  // namespace test_io_image_limits

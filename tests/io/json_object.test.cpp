@@ -8,6 +8,8 @@
 #include <support/catch.hpp>
 #include <support/json_text.hpp>
 
+namespace test_io_json_object {
+
 namespace {
 
 using glint::IoError;
@@ -198,3 +200,5 @@ TEST_CASE("json object: members are asked for all at once", "[io][json]") {
   object.finish();
   CHECK(json.source.warnings.empty());
 }
+
+}  // namespace test_io_json_object

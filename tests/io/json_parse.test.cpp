@@ -7,6 +7,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_json_parse {
+
 namespace {
 
 using glint::IoError;
@@ -95,3 +97,5 @@ TEST_CASE("json: objects merge key by key, everything else is replaced", "[io][j
   CHECK(merged(R"({"a": 1})", R"({"d": {"e": 1}})") == json::parse(R"({"a": 1, "d": {"e": 1}})"));
   CHECK(merged(R"({"a": 1})", "{}") == json::parse(R"({"a": 1})"));
 }
+
+}  // namespace test_io_json_parse

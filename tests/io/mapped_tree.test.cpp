@@ -15,6 +15,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_mapped_tree {
+
 namespace {
 
 using glint::IoError;
@@ -87,3 +89,5 @@ TEST_CASE("mapped tree: every flipped byte is an error, and every shortened file
     CHECK(is_error(good.substr(0, i)));
   }
 }
+
+}  // namespace test_io_mapped_tree

@@ -12,6 +12,8 @@
 #include <support/shared.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_mesh_obj {
+
 namespace {
 
 using glint::IoError;
@@ -225,3 +227,5 @@ TEST_CASE("obj: the course's meshes read without warnings but those of missing m
     CHECK_NOTHROW(read_obj(entry.path()));
   }
 }
+
+}  // namespace test_io_mesh_obj

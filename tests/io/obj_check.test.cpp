@@ -9,6 +9,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_obj_check {
+
 namespace {
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";  // three lines
@@ -90,3 +92,5 @@ TEST_CASE("obj check: a file without faces is no mesh", "[io][obj]") {
   CHECK(mistake(triangle) == ": has no faces, expected a mesh");
   CHECK(mistake("") == ": has no faces, expected a mesh");
 }
+
+}  // namespace test_io_obj_check

@@ -8,6 +8,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_png_check {
+
 using namespace std::string_literals;
 
 namespace {
@@ -71,3 +73,5 @@ TEST_CASE("png check: the size in the header is within the limits", "[io][png]")
   CHECK_THROWS_AS(glint::detail::require_whole_png("a", file(0xFFFFFFFFU, 0xFFFFFFFFU)), glint::IoError);
   CHECK_THROWS_AS(glint::detail::require_whole_png("a", file(0, 1)), glint::IoError);
 }
+
+}  // namespace test_io_png_check

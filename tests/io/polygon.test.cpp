@@ -13,6 +13,8 @@
 #include <glint/math/constants.hpp>
 #include <support/catch.hpp>
 
+namespace test_io_polygon {
+
 namespace {
 
 using Vec3 = glint::Vec3<float>;
@@ -107,3 +109,5 @@ TEST_CASE("polygon: corners in the middle of an edge are kept", "[io][polygon]")
   for (const auto& t : cut(corners)) total += doubled_area(corners, t).z;
   CHECK(total == 8);  // twice the area of a 2 x 2 square; integers, so exact
 }
+
+}  // namespace test_io_polygon

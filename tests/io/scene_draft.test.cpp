@@ -8,6 +8,8 @@
 #include <support/catch.hpp>
 #include <support/json_text.hpp>
 
+namespace test_io_scene_draft {
+
 namespace {
 
 using glint::IoError;
@@ -84,3 +86,5 @@ TEST_CASE("scene draft: a direction has a length", "[io][scene]") {
   CHECK(value_error("[0, 0, 0]", glint::detail::direction_of) ==
         "/x: found an array of 3, expected a vector that is not zero");
 }
+
+}  // namespace test_io_scene_draft

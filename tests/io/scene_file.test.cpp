@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_io_scene_file {
+
 namespace {
 
 using glint::BuilderKind;
@@ -88,3 +90,5 @@ TEST_CASE("scene file: a scene is of the type that lets light pass only where so
   CHECK_FALSE(met(10));  // the sphere
   CHECK(met(20));
 }
+
+}  // namespace test_io_scene_file

@@ -7,6 +7,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_scene_json {
+
 namespace {
 
 using glint::IoError;
@@ -152,3 +154,5 @@ TEST_CASE("scene: places in lists are told by number", "[io][scene]") {
   CHECK(scene_error(R"({"integrator": {}, "film": {}, "camera": {}, "materials": {"a/b": {}}})") ==
         "scene.json:/materials/a~1b: the key \"texture_name\" is missing");
 }
+
+}  // namespace test_io_scene_json

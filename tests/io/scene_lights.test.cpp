@@ -10,6 +10,8 @@
 #include <support/json_text.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_scene_lights {
+
 namespace {
 
 using glint::JsonObject;
@@ -174,3 +176,5 @@ TEST_CASE("scene lights: a wrong environment is an error that tells what was fou
   CHECK(environment_error(R"({"texture_name": "white", "transform": [0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1]})") ==
         "/x/transform: found [0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1], expected a matrix with an inverse");
 }
+
+}  // namespace test_io_scene_lights

@@ -11,6 +11,8 @@
 #include <support/json_text.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_scene_materials {
+
 namespace {
 
 using glint::Rgb;
@@ -247,3 +249,5 @@ TEST_CASE("scene materials: opacity is a number or a texture", "[io][scene]") {
   CHECK(material_error(R"({"type": "mirror", "opacity": 2})") ==
         "/x/opacity: found 2, expected a number from 0 to 1, or the name of a texture");
 }
+
+}  // namespace test_io_scene_materials

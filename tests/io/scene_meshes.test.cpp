@@ -8,6 +8,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_scene_meshes {
+
 namespace {
 
 using glint::Affine;
@@ -174,3 +176,5 @@ TEST_CASE("scene meshes: other kinds of files are refused by name", "[io][scene]
   CHECK(message_of<IoError>([&] { (void)glint::detail::load_obj("no/such.OBJ", MtlUse::Ignore, {}, draft, source); }) ==
         "no/such.OBJ: cannot be read: No such file or directory");
 }
+
+}  // namespace test_io_scene_meshes

@@ -8,6 +8,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_scene_mtl {
+
 namespace {
 
 using glint::JsonSource;
@@ -109,3 +111,5 @@ TEST_CASE("scene mtl: maps without effect are warned of", "[io][scene]") {
         std::vector<std::string>{"the material \"m\" of an MTL file: map_Ks has no effect",
                                  "the material \"m\" of an MTL file: map_Ke has no effect"});
 }
+
+}  // namespace test_io_scene_mtl

@@ -7,6 +7,8 @@
 #include <support/catch.hpp>
 #include <support/json_text.hpp>
 
+namespace test_io_scene_objects {
+
 namespace {
 
 using glint::JsonObject;
@@ -174,3 +176,5 @@ TEST_CASE("scene objects: a mesh without area, or without a material, is an erro
   CHECK(object_error(R"({"type": "mesh", "path": ")" + path + R"("})") ==
         "/x: the keys \"material_name\" and \"light\" are both missing, expected one of them");
 }
+
+}  // namespace test_io_scene_objects

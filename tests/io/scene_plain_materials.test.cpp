@@ -6,6 +6,8 @@
 #include <support/catch.hpp>
 #include <support/json_text.hpp>
 
+namespace test_io_scene_plain_materials {
+
 namespace {
 
 using glint::JsonObject;
@@ -86,3 +88,5 @@ TEST_CASE("scene plain materials: wrong numbers and names are errors", "[io][sce
         "/x/roughness: there is no texture named \"gray\"; did you mean \"grey\"?");
   CHECK(principled_error(R"({"eta": 1})") == "/x/eta: found 1, expected a number from 1.03 to 3");
 }
+
+}  // namespace test_io_scene_plain_materials

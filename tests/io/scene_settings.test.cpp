@@ -7,6 +7,8 @@
 #include <support/catch.hpp>
 #include <support/json_text.hpp>
 
+namespace test_io_scene_settings {
+
 namespace {
 
 using glint::IntegratorSettings;
@@ -317,3 +319,5 @@ TEST_CASE("scene settings: samplers and accelerators", "[io][scene]") {
         "/x/builder: found \"kd_tree\", expected one of \"median\", \"morton\", \"ploc\", \"sah\", \"sweep_sah\", "
         "\"spatial\", \"best\"");
 }
+
+}  // namespace test_io_scene_settings

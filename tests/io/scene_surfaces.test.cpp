@@ -6,6 +6,8 @@
 #include <glint/bsdf/two_sided.hpp>
 #include <glint/testing/bsdf_laws.hpp>
 
+namespace test_io_scene_surfaces {
+
 using glint::Lambertian;
 using glint::Rgb;
 using glint::SceneLayerBsdf;
@@ -35,3 +37,5 @@ TEST_CASE("scene surfaces: layers obey the laws of Bsdf", "[io][scene][laws]") {
   for (const auto& sentence : broken) UNSCOPED_INFO(sentence);
   CHECK(broken.empty());
 }
+
+}  // namespace test_io_scene_surfaces

@@ -6,6 +6,8 @@
 #include <support/catch.hpp>
 #include <support/json_text.hpp>
 
+namespace test_io_scene_textures {
+
 namespace {
 
 using glint::JsonObject;
@@ -242,3 +244,5 @@ TEST_CASE("scene textures: a wrong filter or wrap is an error", "[io][scene]") {
         "/x/max_anisotropy: found 0.5, expected a number from 1 to 64");
   CHECK(error(R"(, "filter": "cubic")").starts_with("/x/filter: found \"cubic\", expected one of \"nearest\""));
 }
+
+}  // namespace test_io_scene_textures

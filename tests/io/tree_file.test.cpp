@@ -18,6 +18,8 @@
 #include <support/catch.hpp>
 #include <support/temporary_directory.hpp>
 
+namespace test_io_tree_file {
+
 namespace {
 
 using glint::IoError;
@@ -162,3 +164,5 @@ TEST_CASE("tree file: each error names the byte, what is there, and what was exp
   CHECK(with([](auto& t) { t.nodes.push_back(t.nodes[1]); }) == ":byte 160: is a node without a parent");
   CHECK(with([](auto& t) { t = {.order = {0}}; }) == ":byte 64: is a slot of no leaf");
 }
+
+}  // namespace test_io_tree_file

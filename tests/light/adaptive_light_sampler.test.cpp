@@ -9,6 +9,8 @@
 
 #include <glint/light/point.hpp>
 
+namespace test_light_adaptive_light_sampler {
+
 using glint::AdaptiveLightSampler;
 using glint::PointLight;
 using glint::Rgb;
@@ -42,3 +44,5 @@ TEST_CASE("adaptive light sampler: among many it matters where they are", "[ligh
 TEST_CASE("adaptive light sampler: without lights nothing is chosen", "[light][adaptive_light_sampler]") {
   CHECK_FALSE(AdaptiveLightSampler{}.choose({}, {}, 0.5F));
 }
+
+}  // namespace test_light_adaptive_light_sampler

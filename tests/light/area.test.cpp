@@ -15,6 +15,8 @@
 #include <glint/testing/light_laws.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_light_area {
+
 using glint::AreaLight;
 using glint::Disk;
 using glint::Quad;
@@ -171,3 +173,5 @@ TEST_CASE("area light: flat shapes shine in the half space before them", "[light
   CHECK(quad.intensity == Approx(3));
   CHECK(AreaLight{Sphere<float>{}, Rgb{1}}.light_bounds().cos_theta_o == -1);
 }
+
+}  // namespace test_light_area

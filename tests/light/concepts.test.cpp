@@ -8,6 +8,8 @@
 #include <glint/light/environment.hpp>
 #include <glint/light/point.hpp>
 
+namespace test_light_concepts {
+
 using glint::AreaLight;
 using glint::ConstantEnvironment;
 using glint::OneOf;
@@ -35,3 +37,5 @@ TEST_CASE("light: one of several answers as the one it is", "[light][concepts]")
   CHECK(background_pdf(sky, {0, 0, 1}) == Approx(0.25F / glint::pi<float>));
   CHECK(sky.sample(glint::Vec3<float>{0.0F}, glint::Vec2<float>{0.3F, 0.4F})->radiance == Rgb{4});
 }
+
+}  // namespace test_light_concepts

@@ -7,6 +7,8 @@
 
 #include <glint/testing/light_laws.hpp>
 
+namespace test_light_directional {
+
 using glint::DirectionalLight;
 using glint::Rgb;
 using glint::Vec3;
@@ -33,3 +35,5 @@ TEST_CASE("directional light: its power is what falls on the disk around the sce
 TEST_CASE("directional light: obeys the laws of Light", "[light][directional][laws]") {
   CHECK(glint::testing::violations_of_light_laws(DirectionalLight{.direction = {1, -2, 0.5F}}, {1, 2, 3}, 1).empty());
 }
+
+}  // namespace test_light_directional

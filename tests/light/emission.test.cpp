@@ -18,6 +18,8 @@
 #include <glint/testing/light_laws.hpp>
 #include <glint/texture/image_texture.hpp>
 
+namespace test_light_emission {
+
 using glint::AreaLight;
 using glint::Rgb;
 using glint::Vec2;
@@ -96,3 +98,5 @@ TEST_CASE("emission: any light can be asked, also those that give off no rays", 
   CHECK(emission_pdf(Any{glint::PointLight{}}, {}, {0, 0, 1}, scene).position == 1);
   CHECK(emission_pdf(Any{glint::Darkness{}}, {}, {0, 0, 1}, scene) == glint::EmissionPdf{});
 }
+
+}  // namespace test_light_emission

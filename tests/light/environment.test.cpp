@@ -13,6 +13,8 @@
 #include <glint/texture/constant.hpp>
 #include <glint/texture/image_texture.hpp>
 
+namespace test_light_environment {
+
 using glint::ConstantEnvironment;
 using glint::ConstantTexture;
 using glint::EnvironmentLight;
@@ -179,3 +181,5 @@ TEST_CASE("environment light: obeys the laws of Light", "[light][environment][la
   for (const auto& violation : violations) UNSCOPED_INFO(violation);
   CHECK(violations.empty());
 }
+
+}  // namespace test_light_environment

@@ -11,6 +11,8 @@
 #include <glint/math/random.hpp>
 #include <glint/math/warp.hpp>
 
+namespace test_light_light_bounds {
+
 using glint::LightBounds;
 using glint::PointLight;
 using glint::SpotLight;
@@ -98,3 +100,5 @@ TEST_CASE("light bounds: no light of a spot leaves outside of them", "[light][li
   CHECK(o + e >= spot.cone_angle_radians - 1e-4F);
   CHECK(bounds.cos_theta_e >= 0);
 }
+
+}  // namespace test_light_light_bounds

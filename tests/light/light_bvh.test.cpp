@@ -22,6 +22,8 @@
 #include <glint/math/warp.hpp>
 #include <glint/testing/chi_square.hpp>
 
+namespace test_light_light_bvh {
+
 using glint::AreaLight;
 using glint::LightBvh;
 using glint::PointLight;
@@ -252,3 +254,5 @@ TEST_CASE("light bvh: where nothing shines, nothing is chosen", "[light][light_b
   const std::vector<PointLight> dark{{.intensity = Rgb{0}}};
   CHECK_FALSE(LightBvh(std::span<const PointLight>(dark), {}).choose({}, {}, 0.5F));
 }
+
+}  // namespace test_light_light_bvh

@@ -11,6 +11,8 @@
 #include <glint/light/directional.hpp>
 #include <glint/light/point.hpp>
 
+namespace test_light_light_sampler {
+
 using glint::PointLight;
 using glint::PowerLightSampler;
 using glint::Rgb;
@@ -65,3 +67,5 @@ TEST_CASE("light sampler: a sun over an unbounded scene can still be chosen", "[
   const PowerLightSampler sampler(std::span<const glint::DirectionalLight>(suns), unbounded);
   CHECK(sampler.probability(0) == 1);
 }
+
+}  // namespace test_light_light_sampler

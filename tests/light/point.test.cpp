@@ -5,6 +5,8 @@
 
 #include <glint/testing/light_laws.hpp>
 
+namespace test_light_point {
+
 using glint::PointLight;
 using glint::Rgb;
 using glint::Vec3;
@@ -35,3 +37,5 @@ TEST_CASE("point light: obeys the laws of Light", "[light][point][laws]") {
   CAPTURE(seed);
   CHECK(glint::testing::violations_of_light_laws(PointLight{.position = {3, 1, -2}}, {0.5F, 0, 7}, seed).empty());
 }
+
+}  // namespace test_light_point

@@ -10,6 +10,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/chi_square.hpp>
 
+namespace test_light_seen_quad {
+
 using glint::Quad;
 using glint::Vec2;
 using glint::Vec3;
@@ -76,3 +78,5 @@ TEST_CASE("seen quad: its back is not seen, nor anything from its plane", "[ligh
   const Quad<float> no_area{.edge_u = {1, 0, 0}, .edge_v = {2, 0, 0}};
   CHECK_FALSE(sample_seen(no_area, {0, 0, 1}, {0.3F, 0.6F}));
 }
+
+}  // namespace test_light_seen_quad

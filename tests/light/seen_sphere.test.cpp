@@ -9,6 +9,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/chi_square.hpp>
 
+namespace test_light_seen_sphere {
+
 using glint::Sphere;
 using glint::Vec2;
 using glint::Vec3;
@@ -71,3 +73,5 @@ TEST_CASE("seen sphere: its outer side cannot be seen from inside", "[light][see
   CHECK(seen_pdf(sphere, {2, 0, 0}, surface(sphere, {-1, 0, 0})) == 0);  // the far side
   CHECK_FALSE(sample_seen(Sphere<float>{.radius = 0}, {2, 0, 0}, {0.5F, 0.5F}));
 }
+
+}  // namespace test_light_seen_sphere

@@ -10,6 +10,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/chi_square.hpp>
 
+namespace test_light_seen_triangle {
+
 using glint::Triangle;
 using glint::Vec2;
 using glint::Vec3;
@@ -80,3 +82,5 @@ TEST_CASE("seen triangle: its back is not seen, nor anything from its plane", "[
   CHECK_FALSE(sample_seen(corner, {2, 1, 0}, {0.3F, 0.6F}));
   CHECK_FALSE(sample_seen(Triangle<float>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 0, 1}, {0.3F, 0.6F}));
 }
+
+}  // namespace test_light_seen_triangle

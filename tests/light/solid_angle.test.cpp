@@ -7,6 +7,8 @@
 
 #include <glint/geometry/disk.hpp>
 
+namespace test_light_solid_angle {
+
 TEST_CASE("solid angle: a density by area counts for distance² / cosine as much", "[light][solid_angle]") {
   // Two along z away, seen under 60°: distance² = 4 / cos² 60° = 16, cosine 1/2.
   const glint::Surface at{.position = {0, 0, 2}, .normal = {0, 0, -1}};
@@ -21,3 +23,5 @@ TEST_CASE("solid angle: points chosen by area are only those in sight", "[light]
   CHECK(sample->pdf == Approx(9 / (4 * glint::pi<float>)));
   CHECK_FALSE(glint::sample_seen_by_area(disk, {0, 0, -3}, {0.5F, 0.5F}));
 }
+
+}  // namespace test_light_solid_angle

@@ -8,6 +8,8 @@
 #include <glint/math/random.hpp>
 #include <glint/testing/light_laws.hpp>
 
+namespace test_light_spot {
+
 using glint::Rgb;
 using glint::SpotLight;
 
@@ -59,3 +61,5 @@ TEST_CASE("spot light: its power is the integral of its intensity", "[light][spo
 TEST_CASE("spot light: obeys the laws of Light", "[light][spot][laws]") {
   CHECK(glint::testing::violations_of_light_laws(spot, {0.5F, 0, 0}, 1).empty());
 }
+
+}  // namespace test_light_spot

@@ -8,6 +8,8 @@
 #include <glint/light/area.hpp>
 #include <glint/testing/chi_square.hpp>
 
+namespace test_light_triangle_sampler {
+
 using glint::Triangle;
 using glint::TriangleSampler;
 using glint::Vec2;
@@ -46,3 +48,5 @@ TEST_CASE("triangle sampler: points are uniform over all triangles", "[light][tr
   INFO(result.message);
   CHECK(result.passed);
 }
+
+}  // namespace test_light_triangle_sampler

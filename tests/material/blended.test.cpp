@@ -10,6 +10,8 @@
 #include <glint/texture/checkerboard.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_material_blended {
+
 using glint::Blended;
 using glint::Checkerboard;
 using glint::Lambertian;
@@ -39,3 +41,5 @@ TEST_CASE("blended: materials of any kind are blended, blends too", "[material][
   // (1/2 · 3/4 + 1/2 · 0) / 2 + 1/4 / 2 = 5/16, over π
   CHECK(outer.bsdf({.uv = {0.1F, 0.1F}}).evaluate(up, up).g == Approx(0.3125 / glint::pi<double>));
 }
+
+}  // namespace test_material_blended

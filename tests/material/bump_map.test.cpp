@@ -7,6 +7,8 @@
 
 #include <glint/bsdf/lambertian.hpp>
 
+namespace test_material_bump_map {
+
 using glint::BumpMapped;
 using glint::Lambertian;
 using glint::Rgb;
@@ -41,3 +43,5 @@ TEST_CASE("bump_map: without a scale it is flat, and the base shows through", "[
   CHECK(bsdf.normal() == Vec3<float>{0.0F, 0.0F, 1.0F});
   CHECK(bsdf.base() == Lambertian{0.25F});
 }
+
+}  // namespace test_material_bump_map

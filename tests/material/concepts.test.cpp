@@ -6,6 +6,8 @@
 #include <glint/bsdf/lambertian.hpp>
 #include <glint/material/material_table.hpp>
 
+namespace test_material_concepts {
+
 using glint::Lambertian;
 
 TEST_CASE("material: a BSDF is the material that is alike everywhere", "[material][concepts]") {
@@ -14,3 +16,5 @@ TEST_CASE("material: a BSDF is the material that is alike everywhere", "[materia
   STATIC_REQUIRE(std::is_same_v<glint::BsdfOf<glint::MaterialTable<Lambertian>>, Lambertian>);
   CHECK(bsdf_at(Lambertian{{0.3F}}, glint::Surface{}, 7) == Lambertian{{0.3F}});
 }
+
+}  // namespace test_material_concepts

@@ -7,6 +7,8 @@
 #include <glint/bsdf/mirror.hpp>
 #include <glint/core/one_of.hpp>
 
+namespace test_material_material_table {
+
 using Any = glint::OneOf<glint::Lambertian, glint::Mirror>;
 
 TEST_CASE("material table: each primitive has the material its index names", "[material][table]") {
@@ -15,3 +17,5 @@ TEST_CASE("material table: each primitive has the material its index names", "[m
   CHECK(table.bsdf({}, 1).is_specular());
   CHECK_FALSE(table.bsdf({}, 2).is_specular());
 }
+
+}  // namespace test_material_material_table

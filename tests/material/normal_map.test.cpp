@@ -6,6 +6,8 @@
 #include <glint/bsdf/lambertian.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_material_normal_map {
+
 using glint::ConstantTexture;
 using glint::Lambertian;
 using glint::NormalMapped;
@@ -27,3 +29,5 @@ TEST_CASE("normal_map: normals that do not point up are left alone, and so is a 
   CHECK(NormalMapped{Lambertian{}, ConstantTexture{{0.8F, 0.5F, 0.4F}}}.bsdf({.tangent = up}).normal() == up);
   CHECK(NormalMapped{Lambertian{}, ConstantTexture{{0.8F, 0.5F, 0.9F}}}.bsdf({}).normal() == up);
 }
+
+}  // namespace test_material_normal_map

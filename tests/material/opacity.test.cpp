@@ -22,6 +22,8 @@
 #include <glint/texture/checkerboard.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_material_opacity {
+
 using glint::Checkerboard;
 using glint::ConstantTexture;
 using glint::LightStrategy;
@@ -156,3 +158,5 @@ TEST_CASE("opacity: integrators agree in a room with leaves that let some light 
   CHECK(largest_z(walk, means(glint::LightTracer{.max_depth = 4}, 40, 301)) < 5);
   CHECK(largest_z(walk, means(glint::Bdpt{.max_depth = 4}, 20, 401)) < 5);
 }
+
+}  // namespace test_material_opacity

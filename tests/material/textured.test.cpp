@@ -9,6 +9,8 @@
 #include <glint/texture/checkerboard.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_material_textured {
+
 using glint::Rgb;
 
 namespace {
@@ -40,3 +42,5 @@ TEST_CASE("textured: a texture of surfaces gets the surface, alone or among othe
   CHECK(glint::Textured<glint::Lambertian, Either>{Height{}}.bsdf(at).reflectance == Rgb{0.25F});
   CHECK(glint::Textured<glint::Lambertian, Either>{glint::ConstantTexture{1}}.bsdf(at).reflectance == Rgb{1});
 }
+
+}  // namespace test_material_textured

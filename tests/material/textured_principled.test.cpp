@@ -6,6 +6,8 @@
 #include <glint/material/concepts.hpp>
 #include <glint/texture/checkerboard.hpp>
 
+namespace test_material_textured_principled {
+
 using glint::Checkerboard;
 using glint::Principled;
 using glint::Rgb;
@@ -30,3 +32,5 @@ TEST_CASE("textured_principled: without textures of numbers it is the base in a 
   const glint::TexturedPrincipled<Checkerboard> material{{}, {.coat = 1, .sheen = 0.5F}};
   CHECK(material.bsdf({}) == Principled{.base_color = Checkerboard{}.color0, .coat = 1, .sheen = 0.5F});
 }
+
+}  // namespace test_material_textured_principled

@@ -7,6 +7,8 @@
 #include <glint/material/textured.hpp>
 #include <glint/texture/constant.hpp>
 
+namespace test_material_two_sided {
+
 TEST_CASE("two-sided material: the back looks like the front", "[material][two_sided]") {
   using Plain = glint::Textured<glint::Lambertian, glint::ConstantTexture>;
   const glint::TwoSidedMaterial material{Plain{{glint::Rgb{0.5F}}}};
@@ -17,3 +19,5 @@ TEST_CASE("two-sided material: the back looks like the front", "[material][two_s
   CHECK(bsdf.evaluate(up, up).r > 0);
   CHECK(bsdf.evaluate(up, -up) == glint::Rgb{0});
 }
+
+}  // namespace test_material_two_sided

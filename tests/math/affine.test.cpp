@@ -8,6 +8,8 @@
 
 #include <glint/math/random.hpp>
 
+namespace test_math_affine {
+
 namespace {
 
 template <typename T>
@@ -138,3 +140,5 @@ TEMPLATE_TEST_CASE("affine: carried normals stay perpendicular, unit, and on the
     CHECK(glm::dot(carried, affine.vector(normal)) > T(0));
   }
 }
+
+}  // namespace test_math_affine

@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_math_constants {
+
 TEMPLATE_TEST_CASE("constants: the number below one is the last before it", "[math][constants]", float, double) {
   CHECK(glint::one_minus_epsilon<TestType> == std::nextafter(TestType(1), TestType(0)));
 }
@@ -27,3 +29,5 @@ TEMPLATE_TEST_CASE("constants: the bound of n roundings holds for n multiplicati
   CHECK(glint::rounding_bound<TestType>(1) > std::numeric_limits<TestType>::epsilon() / 2);
   CHECK(glint::rounding_bound<TestType>(3) > 3 * (std::numeric_limits<TestType>::epsilon() / 2));
 }
+
+}  // namespace test_math_constants

@@ -11,6 +11,8 @@
 #include <glint/testing/chi_square.hpp>
 #include <support/catch.hpp>
 
+namespace test_math_distribution {
+
 using glint::AliasTable;
 using glint::Distribution1D;
 using glint::Distribution2D;
@@ -211,3 +213,5 @@ TEST_CASE("distribution: an alias table of nothing has probability zero", "[math
   CHECK(zeros.probability(1) == 0);
   CHECK(zeros.size() == 3);
 }
+
+}  // namespace test_math_distribution

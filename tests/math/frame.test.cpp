@@ -8,6 +8,8 @@
 #include <glint/math/random.hpp>
 #include <glint/math/warp.hpp>
 
+namespace test_math_frame {
+
 using glint::Frame;
 using glint::Vec3;
 
@@ -64,3 +66,5 @@ TEMPLATE_TEST_CASE("frame: a tangent without length, or not finite, is replaced 
     check_orthonormal(Frame<TestType>::from_normal_and_tangent({0, 0, 1}, tangent));
   }
 }
+
+}  // namespace test_math_frame

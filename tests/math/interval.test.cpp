@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_math_interval {
+
 TEMPLATE_TEST_CASE("interval: ends are inside, and the default is empty", "[math][interval]", float, double) {
   using T = TestType;
   const T nan = std::numeric_limits<T>::quiet_NaN();
@@ -18,3 +20,5 @@ TEMPLATE_TEST_CASE("interval: ends are inside, and the default is empty", "[math
   CHECK(is_empty(glint::Interval<T>{nan, T(1)}));
   CHECK_FALSE(is_empty(glint::Interval<T>{T(2), T(2)}));
 }
+
+}  // namespace test_math_interval

@@ -11,6 +11,8 @@
 #include <glint/testing/chi_square.hpp>
 #include <support/catch.hpp>
 
+namespace test_math_low_discrepancy {
+
 using glint::PrimeBase;
 using glint::Random;
 
@@ -150,3 +152,5 @@ TEST_CASE("low discrepancy: a scrambled number is uniform below its digits, too"
   INFO(result.message);
   CHECK(result.passed);
 }
+
+}  // namespace test_math_low_discrepancy

@@ -10,6 +10,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_math_orientation {
+
 namespace {
 
 using glint::Vec2;
@@ -105,3 +107,5 @@ TEMPLATE_TEST_CASE("orientation: three corners are seen counterclockwise from th
   const T tiny = std::numeric_limits<T>::epsilon();
   CHECK(glint::orientation(a, b, c, Vec3<T>{1000, 1000, tiny * tiny}) == -1);
 }
+
+}  // namespace test_math_orientation

@@ -9,6 +9,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_math_random {
+
 using glint::mix;
 using glint::philox4x32;
 using glint::Random;
@@ -125,3 +127,5 @@ TEST_CASE("random: a range of its own is scaled", "[math][random]") {
     REQUIRE(x <= 3.0F);
   }
 }
+
+}  // namespace test_math_random

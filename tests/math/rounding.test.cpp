@@ -7,6 +7,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_math_rounding {
+
 TEMPLATE_TEST_CASE("rounding: products that round to the same number are still told apart", "[math][rounding]", float,
                    double) {
   using T = TestType;
@@ -48,3 +50,5 @@ TEMPLATE_TEST_CASE("rounding: an exact difference changes its sign with its prod
   CHECK(ties > 1000);
   CHECK(wrong == 0);
 }
+
+}  // namespace test_math_rounding

@@ -8,6 +8,8 @@
 
 #include <glint/math/random.hpp>
 
+namespace test_math_solve {
+
 TEMPLATE_TEST_CASE("difference of products: stays exact to an ulp where the products are nearly equal", "[math][solve]",
                    float, double) {
   using T = TestType;
@@ -81,3 +83,5 @@ TEMPLATE_TEST_CASE("quadratic: has defined answers where it degenerates", "[math
   CHECK(glint::solve_quadratic<T>(0, nan, 1) == std::nullopt);
   CHECK(glint::solve_quadratic<T>(0, 1, nan) == std::nullopt);
 }
+
+}  // namespace test_math_solve

@@ -9,6 +9,8 @@
 #include <support/catch.hpp>
 #include <support/shared.hpp>
 
+namespace test_math_spherical {
+
 TEMPLATE_TEST_CASE("spherical: the inverse gives the direction back", "[math][spherical]", float, double) {
   std::mt19937 random(7);
   std::normal_distribution<TestType> normal;
@@ -59,3 +61,5 @@ TEST_CASE("spherical: agrees with the environment mapping of the scene format", 
     CHECK(uv.x == Approx(expected.at("uv").at(0).get<double>()).margin(tolerance));
   }
 }
+
+}  // namespace test_math_spherical

@@ -6,6 +6,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_math_vec {
+
 using glint::Vec3;
 
 TEMPLATE_TEST_CASE("vec: twelve or 24 bytes, whatever GLM's defaults are", "[math][vec]", float, double) {
@@ -39,3 +41,5 @@ TEMPLATE_TEST_CASE("vec: one bad component makes a vector not finite", "[math][v
   CHECK_FALSE(glint::is_finite(Vec3<TestType>{1, Limits::infinity(), 0}));
   CHECK_FALSE(glint::is_finite(Vec3<TestType>{1, 0, Limits::quiet_NaN()}));
 }
+
+}  // namespace test_math_vec

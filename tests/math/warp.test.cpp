@@ -10,6 +10,8 @@
 #include <glint/math/random.hpp>
 #include <support/catch.hpp>
 
+namespace test_math_warp {
+
 using glint::Vec2;
 using glint::Vec3;
 
@@ -167,3 +169,5 @@ TEMPLATE_TEST_CASE("warp: densities are one over the measure", "[math][warp]", f
   CHECK(glint::cosine_hemisphere_pdf(T(1)) == Approx(1 / pi));
   CHECK(glint::cosine_hemisphere_pdf(T(-0.5)) == 0);
 }
+
+}  // namespace test_math_warp

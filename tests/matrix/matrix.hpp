@@ -52,7 +52,7 @@ inline constexpr auto default_layout = std::make_tuple(std::pair{"wide<8>", wide
 template <PrimitiveSet S, typename Layouts>
 void check_set(const std::string& adaptor, const S& set, const Layouts& layouts) {
   const auto trees = trees_over(set);
-  const Oracle<S> oracle(set, trees.front().second.nodes.front().bounds, 40);
+  const Oracle<S> oracle(set, trees.front().second.nodes.front().bounds, 80);
   CAPTURE(adaptor);
   CHECK(oracle.hit_count() > 10);
   const auto check_layout = [&](const auto& named) {

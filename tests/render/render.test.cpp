@@ -39,6 +39,8 @@
 #include <glint/texture/image_texture.hpp>
 #include <glint/texture/mip_map.hpp>
 
+namespace test_render_render {
+
 namespace aov = glint::aov;
 using glint::AovLayers;
 using glint::Film;
@@ -542,3 +544,5 @@ TEST_CASE("render: filtered textures have the mean of unfiltered ones, and a fra
     CHECK(std::abs(with.bias) < 0.01);
   }
 }
+
+}  // namespace test_render_render

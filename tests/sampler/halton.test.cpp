@@ -12,6 +12,8 @@
 #include <glint/testing/sampler_laws.hpp>
 #include <support/catch.hpp>
 
+namespace test_sampler_halton {
+
 using glint::Halton;
 
 namespace {
@@ -127,3 +129,5 @@ TEST_CASE("halton: the error of linear functions falls with the power -3/2 of th
   }
   CHECK(squares / 1024 == Approx(1.0 / 12 / std::pow(samples, 3)).epsilon(0.25));
 }
+
+}  // namespace test_sampler_halton

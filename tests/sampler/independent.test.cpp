@@ -7,6 +7,8 @@
 #include <glint/testing/sampler_laws.hpp>
 #include <support/catch.hpp>
 
+namespace test_sampler_independent {
+
 using glint::Independent;
 
 TEST_CASE("independent: obeys the laws of sample sequences", "[sampler][independent][laws]") {
@@ -34,3 +36,5 @@ TEST_CASE("independent: seeds give different numbers", "[sampler][independent]")
   CHECK(Independent{.seed = 1}.stream({0, 0}, 0).next_1d() !=
         Independent{.seed = 1 + (std::uint64_t{1} << 32)}.stream({0, 0}, 0).next_1d());
 }
+
+}  // namespace test_sampler_independent

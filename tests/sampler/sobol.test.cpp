@@ -9,6 +9,8 @@
 #include <glint/testing/sampler_laws.hpp>
 #include <support/catch.hpp>
 
+namespace test_sampler_sobol {
+
 using glint::Sobol;
 using glint::Vec2;
 
@@ -97,3 +99,5 @@ TEST_CASE("sobol: a smooth function of a pair has hundreds of times less varianc
   CHECK(independent == Approx(7.0 / 144 / 64).epsilon(0.25));
   CHECK(sobol < independent / 325);
 }
+
+}  // namespace test_sampler_sobol

@@ -11,6 +11,8 @@
 #include <glint/testing/sampler_laws.hpp>
 #include <support/catch.hpp>
 
+namespace test_sampler_stratified {
+
 using glint::permuted;
 using glint::Stratified;
 
@@ -158,3 +160,5 @@ TEST_CASE("stratified: an edge has far less error than by independent numbers", 
   }
   CHECK(std::sqrt(squares / 64) < 1.0 / 32 / 4);
 }
+
+}  // namespace test_sampler_stratified

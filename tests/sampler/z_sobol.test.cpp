@@ -11,6 +11,8 @@
 #include <glint/testing/sampler_laws.hpp>
 #include <support/catch.hpp>
 
+namespace test_sampler_z_sobol {
+
 using glint::Sobol;
 using glint::Vec2;
 using glint::Vec2i;
@@ -155,3 +157,5 @@ TEST_CASE("z_sobol: the error is alike along rows and along columns", "[sampler]
   }
   CHECK(along / down == Approx(1).epsilon(0.3));
 }
+
+}  // namespace test_sampler_z_sobol

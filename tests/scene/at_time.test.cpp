@@ -14,6 +14,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_scene_at_time {
+
 namespace {
 
 /// A square, two wide, whose left edge is here.
@@ -63,3 +65,5 @@ TEST_CASE("scene at a time: what a pixel sees is dark for as long as the square 
     CHECK(still.develop()(0, 0).g == (time < 0.25F ? 1.0F : 0.0F));
   }
 }
+
+}  // namespace test_scene_at_time

@@ -10,9 +10,13 @@
 #include <glint/geometry/sphere.hpp>
 #include <glint/scene/scene.hpp>
 
+namespace test_scene_concepts {
+
 using Geometry = glint::BruteForce<glint::Elements<glint::Sphere<float>>>;
 
 TEST_CASE("scene concept: a scene is one, its geometry alone is not", "[scene][concepts]") {
   STATIC_REQUIRE(glint::SceneLike<glint::Scene<Geometry>>);
   STATIC_REQUIRE_FALSE(glint::SceneLike<Geometry>);
 }
+
+}  // namespace test_scene_concepts

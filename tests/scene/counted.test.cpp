@@ -11,6 +11,8 @@
 #include <glint/light/point.hpp>
 #include <glint/scene/scene.hpp>
 
+namespace test_scene_counted {
+
 TEST_CASE("counted scene: answers as the scene does, and counts the rays", "[scene][counted]") {
   const std::vector<glint::Sphere<float>> spheres{{.center = {0, 0, -5}}};
   const glint::Scene scene{glint::BruteForce{glint::Elements{spheres}}, glint::Lambertian{}, glint::PointLight{}};
@@ -31,3 +33,5 @@ TEST_CASE("counted scene: answers as the scene does, and counts the rays", "[sce
   CHECK(counted.infinite_lights().empty());
   CHECK(rays == 4);
 }
+
+}  // namespace test_scene_counted

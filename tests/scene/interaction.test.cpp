@@ -5,6 +5,8 @@
 
 #include <glint/bsdf/lambertian.hpp>
 
+namespace test_scene_interaction {
+
 TEST_CASE("interaction: rays leave on the side they go to", "[scene][interaction]") {
   const glint::Interaction<glint::Lambertian> at{
       .surface = {.position = {1, 2, 3}, .position_error = glint::Vec3<float>(1e-6F), .normal = {0, 0, 1}}};
@@ -20,3 +22,5 @@ TEST_CASE("interaction: a ray to a point is there at t = 1", "[scene][interactio
   CHECK(ray.t_max > 0.9999F);
   CHECK(glm::length(ray.at(1) - glint::Vec3<float>{1, 2, 3}) < 1e-5F);
 }
+
+}  // namespace test_scene_interaction

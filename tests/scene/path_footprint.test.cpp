@@ -23,6 +23,8 @@
 #include <glint/texture/constant.hpp>
 #include <glint/texture/filtered_image_texture.hpp>
 
+namespace test_scene_path_footprint {
+
 namespace {
 
 using glint::Interaction;
@@ -142,3 +144,5 @@ TEST_CASE("path footprint: scenes put it on the surface where their materials as
   CHECK(interact(asking, ray, glint::NoFootprint{})->surface.footprint == glint::Footprint{});
   CHECK(interact(glint::Scene{wall}, ray, path)->surface.footprint == glint::Footprint{});
 }
+
+}  // namespace test_scene_path_footprint

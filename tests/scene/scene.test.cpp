@@ -15,6 +15,8 @@
 #include <glint/material/material_table.hpp>
 #include <glint/material/two_sided.hpp>
 
+namespace test_scene_scene {
+
 using glint::Bvh;
 using glint::Elements;
 using glint::Lambertian;
@@ -107,3 +109,5 @@ TEST_CASE("scene: an empty one is met by nothing", "[scene]") {
   CHECK_FALSE(scene.interact(Ray<float>{}));
   CHECK(scene.background({0, 0, 1}) == Rgb{1});
 }
+
+}  // namespace test_scene_scene

@@ -10,6 +10,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_simd_pack {
+
 namespace {
 
 using glint::Pack;
@@ -139,3 +141,5 @@ TEMPLATE_TEST_CASE("pack: bytes are loaded as the whole numbers they are", "[sim
   check_bytes<TestType, 1, 1>();
   check_bytes<TestType, 8, 1>();
 }
+
+}  // namespace test_simd_pack

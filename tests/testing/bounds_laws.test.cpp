@@ -9,6 +9,8 @@
 
 #include <glint/geometry/sphere.hpp>
 
+namespace test_testing_bounds_laws {
+
 namespace {
 
 struct WideAtUpperY {
@@ -35,3 +37,5 @@ TEST_CASE("bounds laws: a side that is further out than need be is named", "[tes
         std::vector<std::string>{"the bounds are tight at the upper y: nothing was met there"});
   CHECK(glint::testing::violations_of_tight_bounds(WideAtUpperY{}, 1, 0.1F).empty());
 }
+
+}  // namespace test_testing_bounds_laws

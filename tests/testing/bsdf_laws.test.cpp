@@ -13,6 +13,8 @@
 #include <glint/bsdf/lambertian.hpp>
 #include <glint/bsdf/mirror.hpp>
 
+namespace test_testing_bsdf_laws {
+
 using glint::BsdfSample;
 using glint::Dielectric;
 using glint::Lambertian;
@@ -147,3 +149,5 @@ TEST_CASE("bsdf_laws: bad samples are found", "[testing][bsdf_laws]") {
   CHECK(has(violations_when([](const Vec3<float>&, BsdfSample& s) { s.wi.x = -std::abs(s.wi.x); }),
             "samples are distributed as pdf says"));
 }
+
+}  // namespace test_testing_bsdf_laws

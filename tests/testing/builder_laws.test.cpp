@@ -10,6 +10,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_testing_builder_laws {
+
 namespace {
 
 const std::vector<glint::Aabb<float>> boxes{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}, {{4, 0, 0}, {5, 1, 1}}};
@@ -50,3 +52,5 @@ TEST_CASE("builder laws: a builder that depends on the order of work breaks them
 TEST_CASE("builder laws: a builder that loses a primitive breaks them", "[testing]") {
   CHECK_FALSE(glint::testing::violations_of_builder_laws(Forgetful{}, glint::Boxes{boxes}).empty());
 }
+
+}  // namespace test_testing_builder_laws

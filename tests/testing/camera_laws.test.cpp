@@ -7,6 +7,8 @@
 
 #include <glint/camera/perspective.hpp>
 
+namespace test_testing_camera_laws {
+
 namespace {
 
 /// A pinhole camera with a slip.
@@ -39,3 +41,5 @@ TEST_CASE("camera laws: find a wrong density and a wrong film position, each by 
   CHECK(glint::testing::violations_of_camera_laws(Broken{.scale = 1.05F}, 1).size() == 1);
   CHECK(glint::testing::violations_of_camera_laws(Broken{.shift = 0.01F}, 1).size() == 1);
 }
+
+}  // namespace test_testing_camera_laws

@@ -11,6 +11,8 @@
 #include <glint/math/warp.hpp>
 #include <support/catch.hpp>
 
+namespace test_testing_chi_square {
+
 using glint::pi;
 using glint::Vec2;
 using glint::Vec3;
@@ -201,3 +203,5 @@ TEST_CASE("chi_square: densities over the unit square", "[testing][chi_square]")
   CHECK(result.passed);
   CHECK_FALSE(chi_square_square(sample, [](const Vec2<float>&) { return 1.0F; }).passed);
 }
+
+}  // namespace test_testing_chi_square

@@ -7,6 +7,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_testing_executor_laws {
+
 namespace {
 
 using glint::Serial;
@@ -64,3 +66,5 @@ TEST_CASE("executor laws: find lost indices, lost tasks and lost exceptions", "[
         std::vector<std::string>{"what a task throws is rethrown: by invoke"});
   CHECK(violations_of_executor_laws(CallsOne{}).size() == 2);
 }
+
+}  // namespace test_testing_executor_laws

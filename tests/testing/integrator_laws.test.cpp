@@ -12,6 +12,8 @@
 #include <glint/integrator/ambient_occlusion.hpp>
 #include <glint/integrator/path.hpp>
 
+namespace test_testing_integrator_laws {
+
 namespace {
 
 using glint::Path;
@@ -63,3 +65,5 @@ TEST_CASE("integrator laws: paths agree with paths by chance, and not where ligh
   CHECK(glint::testing::violations_of_agreement(Path{}, by_chance, scene, rays, 4000, 1).empty());
   CHECK(glint::testing::violations_of_agreement(Broken{.gain = 1.05F}, by_chance, scene, rays, 4000, 1).size() == 1);
 }
+
+}  // namespace test_testing_integrator_laws

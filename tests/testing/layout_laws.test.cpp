@@ -15,6 +15,8 @@
 #include <glint/bvh/layout/wide.hpp>
 #include <glint/geometry/boxes.hpp>
 
+namespace test_testing_layout_laws {
+
 using glint::testing::violations_of_layout_laws;
 
 TEMPLATE_TEST_CASE("layout laws: hold for the library's layouts, for boxes of all kinds", "[testing][layout_laws]",
@@ -64,3 +66,5 @@ TEST_CASE("layout laws: find a leaf that is lost, a box that shrank, and slots t
         "a leaf's box holds the tree's");
   CHECK(first_violation([](auto& tree) { tree.nodes.back().count = 2; }) == "leaves keep their slots");
 }
+
+}  // namespace test_testing_layout_laws

@@ -9,6 +9,8 @@
 #include <glint/light/environment.hpp>
 #include <glint/light/point.hpp>
 
+namespace test_testing_light_laws {
+
 using glint::LightSample;
 using glint::Rgb;
 using glint::Vec2;
@@ -69,3 +71,5 @@ TEST_CASE("light laws: each kind of fault is found and named", "[testing][light_
   CHECK(names(first_violation(Broken{[](LightSample& s) { s.target.x += 1; }}), "target"));
   CHECK(names(first_violation(LyingSky{}), "density that sample states"));
 }
+
+}  // namespace test_testing_light_laws

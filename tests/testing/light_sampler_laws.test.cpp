@@ -14,6 +14,8 @@
 #include <glint/light/light_bvh.hpp>
 #include <glint/light/point.hpp>
 
+namespace test_testing_light_sampler_laws {
+
 namespace {
 
 using glint::ChosenLight;
@@ -68,3 +70,5 @@ TEST_CASE("light sampler laws: find each slip, and name it", "[testing][light_sa
   CHECK(first(Slip::Misstates) == "a choice states its probability");
   CHECK(first(Slip::Uneven) == "a light is chosen as often as its probability says");
 }
+
+}  // namespace test_testing_light_sampler_laws

@@ -8,6 +8,8 @@
 
 #include <glint/geometry/sphere.hpp>
 
+namespace test_testing_primitive_laws {
+
 namespace {
 
 using Ray = glint::Ray<float>;
@@ -230,3 +232,5 @@ TEST_CASE("primitive laws: a violation is a sentence that names the ray", "[test
   REQUIRE(sentences.size() == 1);
   CHECK(names(sentences.front(), "along (0, 0, 0)"));
 }
+
+}  // namespace test_testing_primitive_laws

@@ -9,6 +9,8 @@
 #include <glint/bvh/query/nearest.hpp>
 #include <glint/bvh/query/ray.hpp>
 
+namespace test_testing_query_laws {
+
 namespace {
 
 using glint::Aabb;
@@ -54,3 +56,5 @@ TEST_CASE("query laws: find a query that would lose leaves, and one whose keys m
   CHECK(broken[0].find("a box that holds one that matters matters") == 0);
   CHECK(broken[1].find("a box that holds another has no larger key") == 0);
 }
+
+}  // namespace test_testing_query_laws

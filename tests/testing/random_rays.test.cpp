@@ -9,6 +9,8 @@
 
 #include <glint/geometry/box.hpp>
 
+namespace test_testing_random_rays {
+
 namespace {
 
 namespace rays = glint::testing;
@@ -81,3 +83,5 @@ TEMPLATE_TEST_CASE("random rays: those in face planes stay in them", "[testing][
     CHECK((in_plane(0) || in_plane(1) || in_plane(2)));
   }
 }
+
+}  // namespace test_testing_random_rays

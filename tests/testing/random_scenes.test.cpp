@@ -7,6 +7,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_testing_random_scenes {
+
 namespace {
 
 namespace scenes = glint::testing;
@@ -184,3 +186,5 @@ TEMPLATE_TEST_CASE("random scenes: cube and tetrahedron are closed", "[testing][
   CHECK(is_watertight(tetrahedron));
   CHECK(volume(tetrahedron) == Approx(8.0 / 3));  // the cube without four corners of a sixth each
 }
+
+}  // namespace test_testing_random_scenes

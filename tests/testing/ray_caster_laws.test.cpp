@@ -11,6 +11,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_testing_ray_caster_laws {
+
 namespace {
 
 using glint::Hit;
@@ -66,3 +68,5 @@ TEST_CASE("ray caster laws: answers agree within rounding, and no further", "[te
   CHECK(glint::testing::agree(ray, at(1), at(1.000001F)));
   CHECK_FALSE(glint::testing::agree(ray, at(1), at(1.0001F)));
 }
+
+}  // namespace test_testing_ray_caster_laws

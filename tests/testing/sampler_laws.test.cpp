@@ -9,6 +9,8 @@
 #include <glint/math/random.hpp>
 #include <support/catch.hpp>
 
+namespace test_testing_sampler_laws {
+
 using glint::Random;
 using glint::Vec2;
 using glint::Vec2i;
@@ -150,3 +152,5 @@ TEST_CASE("sampler_laws: nets are told from what is even in each dimension alone
   CHECK(mentions(violations_of_net_laws(Changed{[](Random& random) { return random.uniform<float>(); }}, {0, 0}),
                  "dimension 0: not one in each of 2^8 x 2^0 cells"));
 }
+
+}  // namespace test_testing_sampler_laws

@@ -16,6 +16,8 @@
 #include <glint/geometry/triangle_mesh.hpp>
 #include <glint/testing/random_scenes.hpp>
 
+namespace test_testing_set_laws {
+
 namespace {
 
 using glint::Aabb;
@@ -88,3 +90,5 @@ TEST_CASE("set laws: find each slip, and name it", "[testing][set_laws]") {
   CHECK(names(Slip::TightClip, "clip holds every hit in the cell"));
   CHECK(names(Slip::Occluded, "occluded says whether intersect finds something"));
 }
+
+}  // namespace test_testing_set_laws

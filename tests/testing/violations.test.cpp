@@ -3,6 +3,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_testing_violations {
+
 using Sentences = std::vector<std::string>;
 
 TEST_CASE("violations: what is kept is not mentioned", "[testing]") {
@@ -27,3 +29,5 @@ TEST_CASE("violations: a law about directions names both", "[testing]") {
   violations.expect(false, "other", std::string("what was found"));
   CHECK(violations.take() == Sentences{"law: broken for wo = (0, 0, 1), wi = (1, 0, 0)", "other: what was found"});
 }
+
+}  // namespace test_testing_violations

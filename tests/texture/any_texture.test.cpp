@@ -6,6 +6,8 @@
 #include <glint/texture/checkerboard.hpp>
 #include <glint/texture/mix.hpp>
 
+namespace test_texture_any_texture {
+
 namespace {
 
 using glint::AnyTexture;
@@ -38,3 +40,5 @@ TEST_CASE("any texture: copies share it, and textures are made of others", "[tex
   // The height 0.25 mixed with 1 by the height: 0.25 + 0.25 (1 − 0.25).
   CHECK(half.evaluate(glint::Surface{.position = {0, 0.25F, 0}}).r == Approx(0.4375));
 }
+
+}  // namespace test_texture_any_texture

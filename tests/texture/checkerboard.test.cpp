@@ -8,6 +8,8 @@
 #include <support/catch.hpp>
 #include <support/shared.hpp>
 
+namespace test_texture_checkerboard {
+
 namespace {
 
 constexpr glint::Checkerboard board{.color0 = 0, .color1 = 1};
@@ -53,3 +55,5 @@ TEST_CASE("checkerboard: agrees with the scene format", "[texture][checkerboard]
           glint::Rgb{expected.at("color").get<float>()});
   }
 }
+
+}  // namespace test_texture_checkerboard

@@ -8,6 +8,8 @@
 #include <glint/math/constants.hpp>
 #include <glint/math/random.hpp>
 
+namespace test_texture_ewa {
+
 namespace {
 
 using glint::Ellipse;
@@ -132,3 +134,5 @@ TEST_CASE("ewa: a point gives the pixels around it, and one value everywhere sta
   CHECK(glint::elliptical_mean({0.2F, 0.3F}, Ellipse::spanned({20, 5}, {1, 2}), [](int, int) { return Rgb{0.3F}; }).g ==
         Approx(0.3));
 }
+
+}  // namespace test_texture_ewa

@@ -10,6 +10,8 @@
 #include <glint/math/constants.hpp>
 #include <glint/math/random.hpp>
 
+namespace test_texture_filtered_image_texture {
+
 namespace {
 
 using glint::FilteredImageTexture;
@@ -255,3 +257,5 @@ TEST_CASE("filtered texture: coordinates that are not finite are some pixel", "[
     }
   }
 }
+
+}  // namespace test_texture_filtered_image_texture

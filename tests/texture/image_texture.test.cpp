@@ -9,6 +9,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_texture_image_texture {
+
 namespace {
 
 using glint::ImageTexture;
@@ -134,3 +136,5 @@ TEST_CASE("image texture: copies share the image", "[texture][image_texture]") {
   CHECK(copy == texture);
   CHECK(copy.image.get() == texture.image.get());
 }
+
+}  // namespace test_texture_image_texture

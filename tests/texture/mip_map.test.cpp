@@ -7,6 +7,8 @@
 
 #include <glint/math/random.hpp>
 
+namespace test_texture_mip_map {
+
 namespace {
 
 using glint::Image;
@@ -110,3 +112,5 @@ TEST_CASE("mip map: copies share the finest image, and nothing has no levels", "
   CHECK(MipMap(std::shared_ptr<const Image>()).empty());
   CHECK(MipMap(Image()).empty());
 }
+
+}  // namespace test_texture_mip_map

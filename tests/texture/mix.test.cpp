@@ -12,6 +12,8 @@
 #include <glint/texture/filtered_image_texture.hpp>
 #include <glint/texture/noise.hpp>
 
+namespace test_texture_mix {
+
 namespace {
 
 using glint::ConstantTexture;
@@ -73,3 +75,5 @@ TEST_CASE("mix: asks for the surface where one of its parts does", "[texture][mi
             .evaluate({.position = {0, 3, 0}, .uv = {0.75F, 0.25F}})
             .r == Approx(2));  // halfway from height 3 to the odd square's 1
 }
+
+}  // namespace test_texture_mix

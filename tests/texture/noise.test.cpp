@@ -9,6 +9,8 @@
 
 #include <glint/math/random.hpp>
 
+namespace test_texture_noise {
+
 namespace {
 
 using glint::gradient_noise;
@@ -137,3 +139,5 @@ TEST_CASE("noise texture: mixes two colors by noise over the position, scaled an
   CHECK(marble.evaluate(at) == Rgb{std::abs(gradient_noise(at.position))});
   CHECK(marble.evaluate(glint::Surface{}) == Rgb{0});
 }
+
+}  // namespace test_texture_noise

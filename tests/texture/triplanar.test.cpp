@@ -5,6 +5,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_texture_triplanar {
+
 namespace {
 
 using glint::Rgb;
@@ -49,3 +51,5 @@ TEST_CASE("triplanar: looks at the shading normal, and without one is black", "[
   CHECK(Triplanar{Coordinates{}}.evaluate(surface({0, 0, 0})) == Rgb{0});
   CHECK(Triplanar{Coordinates{}}.evaluate(glint::Vec2<float>{3, 4}) == Rgb{3, 4, 1});
 }
+
+}  // namespace test_texture_triplanar

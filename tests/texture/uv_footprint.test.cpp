@@ -5,6 +5,8 @@
 
 #include <glint/math/random.hpp>
 
+namespace test_texture_uv_footprint {
+
 namespace {
 
 using glint::Surface;
@@ -35,3 +37,5 @@ TEST_CASE("uv footprint: is zero without a parametrization", "[texture][uv_footp
   CHECK(uv_footprint(Surface{.tangent = {1, 2, 3}, .bitangent = {2, 4, 6}, .footprint = footprint}) == UvFootprint{});
   CHECK(uv_footprint(Surface{.tangent = {2, 0, 0}, .bitangent = {0, 4, 0}}) == UvFootprint{});
 }
+
+}  // namespace test_texture_uv_footprint

@@ -11,6 +11,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_binned_sah {
+
 using glint::Aabb;
 using glint::BinnedSah;
 using glint::Boxes;
@@ -50,3 +52,5 @@ TEST_CASE("binned sah: a leaf is split where that is cheaper, and no smaller", "
         1);  // one block: both at the price of one
   CHECK(BinnedSah{.traversal_cost = 9, .max_leaf_size = 1}.build(Boxes{boxes}).nodes.size() == 3);
 }
+
+}  // namespace test_bvh_build_binned_sah

@@ -16,6 +16,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_binning {
+
 namespace {
 
 using glint::Aabb;
@@ -115,3 +117,5 @@ TEST_CASE("binning: a split pays where it is cheaper than testing all", "[bvh][b
   CHECK(pays(Costs{}, part, 4.4F));  // 1 · 3 + 2 · 4.4 < 2 · 3 · 2
   CHECK_FALSE(pays(Costs{}, part, 4.6F));
 }
+
+}  // namespace test_bvh_build_binning

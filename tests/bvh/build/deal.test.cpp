@@ -15,6 +15,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_deal {
+
 namespace {
 
 using glint::Serial;
@@ -77,3 +79,5 @@ TEST_CASE("deal: many references are dealt by chunks to the same places", "[bvh]
   check(parallel_size + 100, glint::testing::Backwards{});
   check(parallel_size + 100, glint::testing::TwoThreads{});
 }
+
+}  // namespace test_bvh_build_deal

@@ -14,6 +14,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_grow {
+
 namespace {
 
 using glint::detail::Part;
@@ -65,3 +67,5 @@ TEST_CASE("grow: nodes are numbered depth first", "[bvh][build]") {
   CHECK(tree.nodes[2].first == 3);
   CHECK(tree.nodes[4].first == 5);
 }
+
+}  // namespace test_bvh_build_grow

@@ -10,6 +10,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_median {
+
 using glint::Aabb;
 using glint::Boxes;
 using glint::Median;
@@ -38,3 +40,5 @@ TEST_CASE("median: a power of two of boxes makes a complete tree along the longe
   CHECK(statistics(Median{.max_leaf_size = 1, .max_depth = 2}.build(Boxes{boxes})).leaf_sizes[4] == 4);
   CHECK(Median{.max_leaf_size = 16}.build(Boxes{boxes}).nodes.size() == 1);
 }
+
+}  // namespace test_bvh_build_median

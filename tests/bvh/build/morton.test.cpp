@@ -21,6 +21,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_morton {
+
 using glint::Aabb;
 using glint::Boxes;
 using glint::Morton;
@@ -134,3 +136,5 @@ TEMPLATE_TEST_CASE("morton: rays find what brute force finds", "[bvh][build]", f
   check(glint::testing::coincident_centroids<T>(300, 3));
   check(glint::testing::degenerate_mix<T>(1000, 4));
 }
+
+}  // namespace test_bvh_build_morton

@@ -14,6 +14,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_build_morton_order {
+
 using glint::Vec3;
 using glint::detail::MortonOrder;
 using glint::detail::Reference;
@@ -91,3 +93,5 @@ TEST_CASE("morton order: a run is split where the first bit changes in which its
   CHECK(order.split(0, 2) == 1);  // at x = 1
   CHECK(order.split(3, 6) == 4);  // equal codes, by place: 3 = 011, 4 = 100, 5 = 101
 }
+
+}  // namespace test_bvh_build_morton_order

@@ -21,6 +21,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_quality {
+
 using glint::Boxes;
 using glint::Quality;
 using glint::QualityBuilder;
@@ -66,3 +68,5 @@ TEST_CASE("quality: rays meet what brute force meets, in every quality and layou
     check(glint::build(glint::Elements{spheres}, quality));
   }
 }
+
+}  // namespace test_bvh_build_quality

@@ -15,6 +15,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_radix_sort {
+
 using glint::detail::Keys;
 using glint::detail::radix_sort;
 
@@ -70,3 +72,5 @@ TEST_CASE("radix sort: every executor gives the same order", "[bvh][build]") {
   CHECK(sorted_by(glint::testing::TwoThreads{}) == expected);
   CHECK(sorted_by(glint::TbbExecutor{3}) == expected);
 }
+
+}  // namespace test_bvh_build_radix_sort

@@ -13,6 +13,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_reference {
+
 using glint::Aabb;
 using glint::Vec3;
 using glint::detail::Part;
@@ -76,3 +78,5 @@ TEST_CASE("reference: a leaf costs its blocks", "[bvh][build]") {
   CHECK(glint::detail::blocks(5, 4) == 2);
   CHECK(glint::detail::blocks(5, 1) == 5);
 }
+
+}  // namespace test_bvh_build_reference

@@ -27,6 +27,8 @@
 #include <support/closed_meshes.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_spatial_sah {
+
 namespace {
 
 using glint::Aabb;
@@ -218,3 +220,5 @@ TEST_CASE("spatial sah: a box that crosses two clusters is cut between them", "[
   CHECK(tree.order.size() > boxes.size());
   CHECK(tree.nodes[1].bounds.upper.x == tree.nodes[2].bounds.lower.x);  // they meet at the plane
 }
+
+}  // namespace test_bvh_build_spatial_sah

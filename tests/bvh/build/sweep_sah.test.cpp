@@ -14,6 +14,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_build_sweep_sah {
+
 using glint::Aabb;
 using glint::Boxes;
 using glint::SweepSah;
@@ -69,3 +71,5 @@ TEST_CASE("sweep sah: the first split is the cheapest of all splits by centers",
                        double(half_area(tree.nodes[2].bounds)) * count_below(2);
   CHECK(found == Approx(cheapest).epsilon(1e-5));
 }
+
+}  // namespace test_bvh_build_sweep_sah

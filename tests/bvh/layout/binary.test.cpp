@@ -11,6 +11,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_layout_binary {
+
 TEMPLATE_TEST_CASE("binary: holds the leaves of the tree, each once, with its box", "[bvh][layout]", float, double) {
   for (const auto& [name, boxes] : glint::testing::nasty_boxes<TestType>()) {
     CAPTURE(name);
@@ -20,3 +22,5 @@ TEMPLATE_TEST_CASE("binary: holds the leaves of the tree, each once, with its bo
     CHECK(nodes.bytes() == tree.nodes.size() * sizeof(glint::BinaryNode<TestType>));
   }
 }
+
+}  // namespace test_bvh_layout_binary

@@ -20,6 +20,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_layout_collapse {
+
 namespace {
 
 using glint::Aabb;
@@ -195,3 +197,5 @@ TEST_CASE("collapse: gives the same nodes in the same places for every executor"
     CHECK(shown<4>(tree, how, glint::testing::TwoThreads{}) == shown<4>(tree, how));
   }
 }
+
+}  // namespace test_bvh_layout_collapse

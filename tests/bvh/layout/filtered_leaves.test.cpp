@@ -25,6 +25,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_layout_filtered_leaves {
+
 namespace {
 
 using glint::BruteForce;
@@ -127,3 +129,5 @@ TEST_CASE("filtered leaves: many rays at once obey the filter as single rays do"
   }
   CHECK(found > 50);  // enough of them meet something
 }
+
+}  // namespace test_bvh_layout_filtered_leaves

@@ -13,6 +13,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_layout_joined_leaves {
+
 using glint::Elements;
 using glint::Joined;
 using glint::Sphere;
@@ -62,3 +64,5 @@ TEST_CASE("joined leaves: of equal hits in different sets, the one of the smalle
     CHECK(best.primitive == 0);
   }
 }
+
+}  // namespace test_bvh_layout_joined_leaves

@@ -28,6 +28,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_layout_masked_leaves {
+
 namespace {
 
 using glint::BruteForce;
@@ -178,3 +180,5 @@ TEST_CASE("masked leaves: a refit takes up masks that changed", "[bvh][layout]")
   CHECK(bvh.closest(ray));
   CHECK(bvh.occluded(ray));
 }
+
+}  // namespace test_bvh_layout_masked_leaves

@@ -29,6 +29,8 @@
 #include <support/at_time.hpp>
 #include <support/catch.hpp>
 
+namespace test_bvh_layout_motion {
+
 namespace {
 
 using glint::BruteForce;
@@ -179,3 +181,5 @@ TEST_CASE("motion layout: sets of no primitive, one, and some that are not finit
   check_times(set);
   CHECK(Bvh{set}.statistics().left_out == 4);
 }
+
+}  // namespace test_bvh_layout_motion

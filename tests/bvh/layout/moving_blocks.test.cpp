@@ -13,6 +13,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_layout_moving_blocks {
+
 namespace {
 
 using glint::Hit;
@@ -59,3 +61,5 @@ TEMPLATE_TEST_CASE("moving blocks: hits are those of the mesh at the ray's time,
   check_bits<glint::Watertight, TestType>();
   check_bits<glint::MoellerTrumbore, TestType>();
 }
+
+}  // namespace test_bvh_layout_moving_blocks

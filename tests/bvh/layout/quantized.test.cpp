@@ -20,6 +20,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_layout_quantized {
+
 namespace {
 
 using glint::Tree;
@@ -200,3 +202,5 @@ TEST_CASE("quantized: without a tree there is nothing to walk", "[bvh][layout]")
   CHECK(glint::QuantizedNodes<float, std::uint32_t, 8>{}.empty());
   CHECK(glint::QuantizedNodes<float, std::uint32_t, 8>(Tree<float>{}).empty());
 }
+
+}  // namespace test_bvh_layout_quantized

@@ -18,6 +18,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_layout_triangle_blocks {
+
 namespace {
 
 using glint::Bvh;
@@ -185,3 +187,5 @@ TEST_CASE("triangle blocks: indices are looked up in vertices at any distance fr
     wrong += bvh.closest(ray) != oracle.closest(ray);
   CHECK(wrong == 0);
 }
+
+}  // namespace test_bvh_layout_triangle_blocks

@@ -16,6 +16,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_layout_wide {
+
 TEMPLATE_TEST_CASE("wide: holds the leaves of the tree, each once, with its box", "[bvh][layout]", float, double) {
   using T = TestType;
   for (const auto& [name, boxes] : glint::testing::nasty_boxes<T>()) {
@@ -46,3 +48,5 @@ TEST_CASE("wide: without a tree there is nothing to walk", "[bvh][layout]") {
   CHECK(glint::WideNodes<float, std::uint32_t, 8>{}.empty());
   CHECK(glint::WideNodes<float, std::uint32_t, 8>(glint::Tree<float>{}).empty());
 }
+
+}  // namespace test_bvh_layout_wide

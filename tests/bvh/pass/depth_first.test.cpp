@@ -17,6 +17,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_pass_depth_first {
+
 using glint::Boxes;
 using glint::Tree;
 
@@ -64,3 +66,5 @@ TEST_CASE("depth first: the numbering alone changes, and what nothing refers to 
   const Tree<float> tree = glint::Median{.max_leaf_size = 3}.build(Boxes{boxes});
   for (unsigned seed = 0; seed < 4; ++seed) CHECK(depth_first(scattered(tree, seed)) == tree);
 }
+
+}  // namespace test_bvh_pass_depth_first

@@ -17,6 +17,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_pass_graft {
+
 namespace {
 
 using glint::Aabb;
@@ -80,3 +82,5 @@ TEST_CASE("gathered: a tree below a node is no deeper than is left", "[bvh][pass
   CHECK(gathered.build({}, 61, glint::Serial{}).depth == 3);
   CHECK(gathered.build({}, 64, glint::Serial{}).depth == 0);
 }
+
+}  // namespace test_bvh_pass_graft

@@ -24,6 +24,8 @@
 #include <support/nasty_boxes.hpp>
 #include <support/updates.hpp>
 
+namespace test_bvh_pass_insert {
+
 namespace {
 
 using glint::Aabb;
@@ -180,3 +182,5 @@ TEST_CASE("insert: rays meet what brute force meets, beside whole triangles and 
     }
   }
 }
+
+}  // namespace test_bvh_pass_insert

@@ -23,6 +23,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_pass_merge_leaves {
+
 namespace {
 
 using glint::Aabb;
@@ -152,3 +154,5 @@ TEMPLATE_TEST_CASE("merge leaves: rays meet what brute force meets", "[bvh][pass
       FAIL_CHECK(broken);
   }
 }
+
+}  // namespace test_bvh_pass_merge_leaves

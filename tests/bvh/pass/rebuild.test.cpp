@@ -24,6 +24,8 @@
 #include <support/nasty_boxes.hpp>
 #include <support/updates.hpp>
 
+namespace test_bvh_pass_rebuild {
+
 namespace {
 
 using glint::Aabb;
@@ -173,3 +175,5 @@ TEST_CASE("rebuild: rays meet what brute force meets, in whole triangles and par
       FAIL_CHECK(broken);
   }
 }
+
+}  // namespace test_bvh_pass_rebuild

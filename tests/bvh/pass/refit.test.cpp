@@ -25,6 +25,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_pass_refit {
+
 namespace {
 
 using glint::Aabb;
@@ -167,3 +169,5 @@ TEMPLATE_TEST_CASE("refit: rays meet what brute force meets in the moved mesh", 
   for (const std::string& broken : glint::testing::violations_of_ray_caster_laws(bvh, glint::BruteForce(mesh), 1))
     FAIL_CHECK(broken);
 }
+
+}  // namespace test_bvh_pass_refit

@@ -26,6 +26,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_pass_refit_layout {
+
 namespace {
 
 using glint::Vec3;
@@ -164,3 +166,5 @@ TEST_CASE("refit of a Bvh: the set may be another one of as many primitives", "[
   CHECK(bvh.set().positions.at(0) == glint::view(after).positions.at(0));
   check_rays(bvh, 6);
 }
+
+}  // namespace test_bvh_pass_refit_layout

@@ -27,6 +27,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_pass_reinsert {
+
 namespace {
 
 using glint::Aabb;
@@ -215,3 +217,5 @@ TEMPLATE_TEST_CASE("reinsert: rays meet what brute force meets", "[bvh][pass][la
     }
   }
 }
+
+}  // namespace test_bvh_pass_reinsert

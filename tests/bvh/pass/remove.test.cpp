@@ -22,6 +22,8 @@
 #include <support/nasty_boxes.hpp>
 #include <support/updates.hpp>
 
+namespace test_bvh_pass_remove {
+
 namespace {
 
 using glint::Aabb;
@@ -111,3 +113,5 @@ TEST_CASE("remove: rays do not meet what was removed, of whole triangles or of p
     }
   }
 }
+
+}  // namespace test_bvh_pass_remove

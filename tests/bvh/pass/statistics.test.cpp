@@ -8,6 +8,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_pass_statistics {
+
 using glint::Tree;
 
 TEMPLATE_TEST_CASE("statistics: agree with a tree counted by hand", "[bvh][pass]", float, double) {
@@ -49,3 +51,5 @@ TEST_CASE("statistics: a primitive in several leaves is one primitive and severa
   CHECK(statistics(tree).primitives == 2);
   CHECK(statistics(tree).references == 3);
 }
+
+}  // namespace test_bvh_pass_statistics

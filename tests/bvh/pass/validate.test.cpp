@@ -13,6 +13,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_pass_validate {
+
 using glint::Boxes;
 using glint::Tree;
 
@@ -101,3 +103,5 @@ TEST_CASE("validate: where a set clips, leaves need to hold no more than the par
   CHECK_FALSE(valid({{0, 0, 0}, {2, 1.9F, 0}}, {{2, 0, 0}, {4, 4, 0}}));
   CHECK_FALSE(valid({{0, 0, 0}, {2, 2, 0}}, {{2, 0.1F, 0}, {4, 4, 0}}));
 }
+
+}  // namespace test_bvh_pass_validate

@@ -24,6 +24,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_query_hits {
+
 namespace {
 
 using glint::Bvh;
@@ -149,3 +151,5 @@ TEST_CASE("hits: a visitor that stops sees no more", "[bvh][query][hits]") {
   CHECK(for_each_hit(bvh, {.t_max = 1}, two) == Walk::Continue);
   CHECK(nearest_hits(bvh, {}, {}) == 0);
 }
+
+}  // namespace test_bvh_query_hits

@@ -23,6 +23,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_query_nearest {
+
 namespace {
 
 using glint::Bvh;
@@ -112,3 +114,5 @@ TEST_CASE("nearest: nothing is found beyond the distance given, at a NaN, or in 
   CHECK_FALSE(closest_point(bvh, {std::numeric_limits<float>::quiet_NaN(), 0, 0}));
   CHECK_FALSE(closest_point(Bvh{glint::Elements<glint::Sphere<float>>{}}, {0, 0, 0}));
 }
+
+}  // namespace test_bvh_query_nearest

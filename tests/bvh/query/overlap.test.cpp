@@ -22,6 +22,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_query_overlap {
+
 namespace {
 
 using glint::Aabb;
@@ -154,3 +156,5 @@ TEST_CASE("overlap query: a visit may stop it, and nothing overlaps where nothin
   CHECK_FALSE(overlaps(bvh, Aabb<float>{}));
   CHECK_FALSE(overlaps(Bvh{glint::Elements<glint::Sphere<float>>{}}, everything));
 }
+
+}  // namespace test_bvh_query_overlap

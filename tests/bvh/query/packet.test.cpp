@@ -15,6 +15,8 @@
 #include <support/catch.hpp>
 #include <support/coherent_rays.hpp>
 
+namespace test_bvh_query_packet {
+
 namespace {
 
 using glint::Aabb;
@@ -143,3 +145,5 @@ TEMPLATE_TEST_CASE("packet query: no ray enters an empty box, one beyond its end
   CHECK(query.enter(boxes, 2) == 0U);
   CHECK(query.reach(T(0)) == 0xFFF7U);
 }
+
+}  // namespace test_bvh_query_packet

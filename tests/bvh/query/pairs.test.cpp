@@ -19,6 +19,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_query_pairs {
+
 namespace {
 
 using glint::Bvh;
@@ -129,3 +131,5 @@ TEST_CASE("pairs: sets of several kinds overlap as each pair does", "[bvh][query
   std::sort(expected.begin(), expected.end());
   CHECK(overlapping_pairs(Bvh{mesh}, mixed) == expected);
 }
+
+}  // namespace test_bvh_query_pairs

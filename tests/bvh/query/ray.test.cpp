@@ -15,6 +15,8 @@
 #include <support/catch.hpp>
 #include <support/nasty_boxes.hpp>
 
+namespace test_bvh_query_ray {
+
 namespace {
 
 using glint::Aabb;
@@ -142,3 +144,5 @@ TEST_CASE("ray query: a ray without a line enters nothing", "[bvh][query]") {
   const RayQuery<float, 4, RayOrder::Any> lost(Ray<float>{.origin = {0, nan, 0}}, RayReach<float>::of(box));
   CHECK(lost.enter(packed<float>({box, box, box, box})).mask == 0U);
 }
+
+}  // namespace test_bvh_query_ray

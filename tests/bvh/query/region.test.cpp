@@ -9,6 +9,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_query_region {
+
 namespace {
 
 using glint::Aabb;
@@ -91,3 +93,5 @@ TEMPLATE_TEST_CASE("region query: missing boxes are not boxes, and NaNs may over
   CHECK((entered.overlapping & 6U) == 6);
   CHECK((entered.within & 6U) == 2);
 }
+
+}  // namespace test_bvh_query_region

@@ -11,6 +11,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_query_triangle_block {
+
 namespace {
 
 /// A tree of one leaf that holds all triangles.
@@ -48,3 +50,5 @@ TEST_CASE("triangle block: each triangle is shown once, lanes to spare are not",
     CHECK(enumerated(triangles, glint::IndexedBlocks<4>{}) == all);
   }
 }
+
+}  // namespace test_bvh_query_triangle_block

@@ -16,6 +16,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_bvh_query_winding {
+
 namespace {
 
 using glint::Bvh;
@@ -158,3 +160,5 @@ TEMPLATE_TEST_CASE("winding: the signed distance is that of the cube and of the 
   // Chords of 2π / 160 leave a circle of radius r by r (1 − cos(π / 160)): 0.0002 r, for radii of up to 1.4 and of 0.4.
   CHECK(worst_ring < 0.001);
 }
+
+}  // namespace test_bvh_query_winding

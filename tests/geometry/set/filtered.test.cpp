@@ -11,6 +11,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_set_filtered {
+
 using glint::Elements;
 using glint::Filtered;
 using glint::Ray;
@@ -48,3 +50,5 @@ TEST_CASE("filtered: a set that prepares rays does so behind a filter", "[geomet
   CHECK_FALSE(set.intersect(ray, set.prepare(ray), 0));
   CHECK(set.intersect(ray, set.prepare(ray), 1) == mesh.intersect(ray, 1));
 }
+
+}  // namespace test_geometry_set_filtered

@@ -23,6 +23,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_set_instanced {
+
 namespace {
 
 using glint::Affine;
@@ -238,3 +240,5 @@ TEST_CASE("instanced: more nested primitives than an index can count are an erro
   const std::vector<Instance<Huge>> instances{place(object, Affine<float>{})};
   CHECK_THROWS_AS(Instanced{instances}, std::length_error);
 }
+
+}  // namespace test_geometry_set_instanced

@@ -11,6 +11,8 @@
 #include <support/catch.hpp>
 #include <support/closed_meshes.hpp>
 
+namespace test_geometry_set_joined {
+
 namespace {
 
 template <typename T>
@@ -98,3 +100,5 @@ TEMPLATE_TEST_CASE("joined: clips what its sets can, and cuts the boxes of the o
   CHECK(set.clip(0, cell) == overlap(set.bounds(0), cell));
   CHECK(set.clip(1, cell) == view(four).clip(0, cell));
 }
+
+}  // namespace test_geometry_set_joined

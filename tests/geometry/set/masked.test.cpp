@@ -13,6 +13,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_set_masked {
+
 using glint::Affine;
 using glint::Bvh;
 using glint::Instance;
@@ -99,3 +101,5 @@ TEST_CASE("masked: the mask of a ray goes with it into instances, at each level"
   CHECK(seen(0b1100).empty());
   CHECK(seen(0b0011).empty());
 }
+
+}  // namespace test_geometry_set_masked

@@ -11,6 +11,8 @@
 
 #include <support/catch.hpp>
 
+namespace test_geometry_set_moving {
+
 using glint::MeshBuffers;
 using glint::Moving;
 using glint::Ray;
@@ -94,3 +96,5 @@ TEST_CASE("moving: a ray without a time meets nothing", "[geometry]") {
   CHECK(moving.intersect({.origin = {0, 0, 8}}, 0));
   CHECK_FALSE(moving.intersect({.origin = {0, 0, 8}, .time = std::numeric_limits<float>::quiet_NaN()}, 0));
 }
+
+}  // namespace test_geometry_set_moving
