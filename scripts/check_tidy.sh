@@ -5,15 +5,15 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/dependencies.sh
 source scripts/dependencies.sh
 
-glint_configure clang
-unit=build/clang/every_header.cpp
+glint_configure asan-ubsan
+unit=build/asan-ubsan/every_header.cpp
 git ls-files --cached --others --exclude-standard 'include/glint/*.hpp' | sed 's|include/\(.*\)|#include <\1>|' >"$unit"
 
 # The include directories of all targets, as CMake found them.
 flags=(-std=c++20 -DGLINT_SOURCE_DIR=\"\")
 while read -r flag; do
   flags+=("${flag%% *}" "${flag#* }")
-done < <(grep -Eo -- '-(isystem |I)[^ "]+' build/clang/compile_commands.json | sed 's/^-I/-I /' | sort -u)
+done < <(grep -Eo -- '-(isystem |I)[^ "]+' build/asan-ubsan/compile_commands.json | sed 's/^-I/-I /' | sort -u)
 
 tool=clang-tidy-14
 command -v "$tool" >/dev/null || tool=clang-tidy
