@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# clang-tidy finds nothing in the headers, all included by one unit, and in the examples, where templates are used.
+# clang-tidy, and Clang with all the warnings that are errors here, find nothing in the headers, all included by one unit,
+# and in the examples, where templates are used.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/dependencies.sh
@@ -10,7 +11,7 @@ unit=build/asan-ubsan/every_header.cpp
 git ls-files --cached --others --exclude-standard 'include/glint/*.hpp' | sed 's|include/\(.*\)|#include <\1>|' >"$unit"
 
 # The include directories of all targets, as CMake found them.
-flags=(-std=c++20 -DGLINT_SOURCE_DIR=\"\")
+flags=(-std=c++20 -DGLINT_SOURCE_DIR=\"\" -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 while read -r flag; do
   flags+=("${flag%% *}" "${flag#* }")
 done < <(grep -Eo -- '-(isystem |I)[^ "]+' build/asan-ubsan/compile_commands.json | sed 's/^-I/-I /' | sort -u)
