@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <glint/bvh/layout/motion.hpp>  // first, so the header proves it stands alone
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -158,8 +159,8 @@ TEST_CASE("motion layout: a refit follows keyframes that changed", "[bvh][layout
   auto a = glint::testing::triangle_soup<float>(300, 61);
   auto b = flown(a, 62);
   Bvh bvh{Moving{view(a), view(b)}};
-  a = flown(a, 63);
-  b = flown(b, 64);
+  std::ranges::copy(flown(a, 63).positions, a.positions.begin());  // in place: the set looks at these buffers
+  std::ranges::copy(flown(b, 64).positions, b.positions.begin());
   bvh.refit();
   const BruteForce oracle(bvh.set());
   for (const float time : {0.0F, 0.4F, 1.0F})
