@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# clang-tidy, and Clang with all the warnings that are errors here, find nothing in the headers, all included by one unit,
-# and in the examples, where templates are used.
+# clang-tidy, and Clang with all the warnings that are errors here, find nothing in the headers, all included by one
+# unit, and in the examples, where templates are used.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/dependencies.sh
