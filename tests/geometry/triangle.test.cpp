@@ -141,4 +141,18 @@ TEMPLATE_TEST_CASE("triangle: no point of it is closer than its closest point", 
   CHECK(closest_point(glint::Vec3<T>(2, 5, 0), segment) == glint::Vec3<T>(2, 0, 0));
 }
 
+TEMPLATE_TEST_CASE("triangle: a sliver's closest point is closest to rounding", "[geometry][triangle]", float, double) {
+  using T = TestType;
+  // Coordinates are below 8, and what is found is a few roundings of them off.
+  const long double slack = 8 * std::numeric_limits<T>::epsilon();
+  for (const auto& [point, triangle] : glint::testing::points_over_slivers<T>(4800)) {
+    CAPTURE(point.x, point.y, point.z, triangle.v0.x, triangle.v1.x, triangle.v2.x);
+    const Vec3<T> found = closest_point(point, triangle);
+    const Vec3<long double> way = Vec3<long double>(found) - Vec3<long double>(point);
+    const long double least = glint::testing::distance_by_slices(point, triangle);
+    REQUIRE(std::abs(std::sqrt(glint::length_squared(way)) - least) <= slack);
+    REQUIRE(glint::testing::distance_by_slices(found, triangle) <= slack);
+  }
+}
+
 }  // namespace test_geometry_triangle

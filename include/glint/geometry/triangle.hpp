@@ -139,11 +139,11 @@ template <std::floating_point T>
   return a + way * std::clamp(glm::dot(point - a, way) / squared, T(0), T(1));
 }
 
-/// The point of the triangle closest to `point`. In slivers, where weights mean little, what the edges say is no
-/// farther.
+/// The point of the triangle closest to `point`; in slivers too, it is closest to a few roundings of the coordinates.
+/// A foot inside is measured along an edge, and what that leaves across it: weights that are differences of products of
+/// edges would mean little where the height is lost in them.
 ///
 /// Errors: a triangle without area is what its edges are.
-/// Source: Ericson, Real-Time Collision Detection (2005), section 5.1.5, for the weights.
 template <std::floating_point T>
 [[nodiscard]] Vec3<T> closest_point(const Vec3<T>& point, const Triangle<T>& triangle) noexcept {
   const auto& [a, b, c] = triangle;
@@ -157,19 +157,14 @@ template <std::floating_point T>
   };
   consider(closest_on_segment(point, b, c));
   consider(closest_on_segment(point, c, a));
-  const Vec3<T> ab = b - a;
-  const Vec3<T> ac = c - a;
-  const Vec3<T> ap = point - a;
-  const T b_b = length_squared(ab);
-  const T c_c = length_squared(ac);
-  const T b_c = glm::dot(ab, ac);
-  const T b_p = glm::dot(ab, ap);
-  const T c_p = glm::dot(ac, ap);
-  const T weight_b = c_c * b_p - b_c * c_p;
-  const T weight_c = b_b * c_p - b_c * b_p;
-  const T total = b_b * c_c - b_c * b_c;
-  if (weight_b > T(0) && weight_c > T(0) && weight_b + weight_c < total)
-    consider(a + (ab * (weight_b / total) + ac * (weight_c / total)));
+  const Vec3<T> base = b - a;
+  const T base_squared = length_squared(base);
+  const T skew = glm::dot(base, c - a) / base_squared;
+  const Vec3<T> height = c - a - base * skew;
+  const T along = glm::dot(base, point - a) / base_squared;
+  const T up = glm::dot(height, point - a - base * along) / length_squared(height);
+  if (up > T(0) && along - skew * up > T(0) && along + (T(1) - skew) * up < T(1))
+    consider(a + (base * along + height * up));
   return best;
 }
 

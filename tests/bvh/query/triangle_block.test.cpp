@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <glint/bvh/query/triangle_block.hpp>  // first, so the header proves it stands alone
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <vector>
 
 #include <glint/bvh/layout/triangle_blocks.hpp>
 #include <glint/bvh/tree.hpp>
+#include <glint/math/vec.hpp>
+#include <glint/simd/pack.hpp>
 #include <glint/testing/random_scenes.hpp>
 
 #include <support/catch.hpp>
+#include <support/closest_points.hpp>
 
 namespace test_bvh_query_triangle_block {
 
@@ -48,6 +55,22 @@ TEST_CASE("triangle block: each triangle is shown once, lanes to spare are not",
     std::iota(all.begin(), all.end(), 0U);
     CHECK(enumerated(triangles, glint::CopiedBlocks<4>{}) == all);
     CHECK(enumerated(triangles, glint::IndexedBlocks<4>{}) == all);
+  }
+}
+
+TEST_CASE("triangle block: what is said to be near is as far as it is, to rounding, slivers too", "[bvh][query]") {
+  // Coordinates are below 8, and what is found is a few roundings of them off.
+  const long double slack = 8 * std::numeric_limits<float>::epsilon();
+  for (const auto& [point, triangle] : glint::testing::points_over_slivers<float>(4800)) {
+    CAPTURE(point.x, point.y, point.z, triangle.v0.x, triangle.v1.x, triangle.v2.x);
+    const std::array corners{triangle.v0, triangle.v1, triangle.v2};
+    const auto vertex = [&](int i, int axis) {
+      return glint::Pack<float, 4>::broadcast(glint::component(corners[std::size_t(i)], axis));
+    };
+    const auto squared = glint::detail::squared_distances<float, 4>(point, vertex);
+    const long double least = glint::testing::distance_by_slices(point, triangle);
+    for (int lane = 0; lane < 4; ++lane)
+      REQUIRE(std::abs(std::sqrt(static_cast<long double>(squared[lane])) - least) <= slack);
   }
 }
 

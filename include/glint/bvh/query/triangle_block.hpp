@@ -83,24 +83,19 @@ template <std::floating_point T, int N, typename Vertex>
   const Pack3<P> bp = minus(ap, ab);
   const P zero = P::broadcast(T(0));
   const P one = P::broadcast(T(1));
-  const P b_b = squared_length(ab);
-  const P c_c = squared_length(ac);
-  const P b_c = product(ab, ac);
-  const P b_p = product(ab, ap);
-  const P c_p = product(ac, ap);
-  P least = squared_to_segment(ap, ab, b_p / b_b, zero, one);
-  least = min(squared_to_segment(ap, ac, c_p / c_c, zero, one), least);
+  const P per_base = one / squared_length(ab);
+  const P along = product(ab, ap) * per_base;
+  P least = squared_to_segment(ap, ab, along, zero, one);
+  least = min(squared_to_segment(ap, ac, product(ac, ap) / squared_length(ac), zero, one), least);
   least = min(squared_to_segment(bp, bc, product(bp, bc) / squared_length(bc), zero, one), least);
-  const P weight_b = c_c * b_p - b_c * c_p;
-  const P weight_c = b_b * c_p - b_c * b_p;
-  const P total = b_b * c_c - b_c * b_c;
-  const std::uint32_t inside = less(zero, min(weight_b, weight_c)) & less(weight_b + weight_c, total);
+  const P skew = product(ab, ac) * per_base;
+  const Pack3<P> height{ac[0] - ab[0] * skew, ac[1] - ab[1] * skew, ac[2] - ab[2] * skew};
+  const Pack3<P> rest{ap[0] - ab[0] * along, ap[1] - ab[1] * along, ap[2] - ab[2] * along};
+  const P up = product(height, rest) / squared_length(height);
+  const std::uint32_t inside = less(zero, min(up, along - skew * up)) & less(along + (one - skew) * up, one);
   if (inside == 0) return least;
-  const P scale = one / total;
-  const P b = weight_b * scale;
-  const P c = weight_c * scale;
-  const P within = squared_length(
-      Pack3<P>{ap[0] - ab[0] * b - ac[0] * c, ap[1] - ab[1] * b - ac[1] * c, ap[2] - ab[2] * b - ac[2] * c});
+  const P within =
+      squared_length(Pack3<P>{rest[0] - height[0] * up, rest[1] - height[1] * up, rest[2] - height[2] * up});
   return select(inside, min(within, least), least);
 }
 
