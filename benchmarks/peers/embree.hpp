@@ -57,7 +57,53 @@ class EmbreeDevice {
 struct EmbreeSettings {
   RTCBuildQuality quality = RTC_BUILD_QUALITY_MEDIUM;
   RTCSceneFlags flags = RTC_SCENE_FLAG_NONE;
+  RTCBuildQuality mesh_quality = quality;
 };
+
+/// What makes Embree refit. It looks at the quality of a mesh only where that of the scene is low: each mesh then has a
+/// tree of its own.
+inline constexpr EmbreeSettings embree_refits{RTC_BUILD_QUALITY_LOW, RTC_SCENE_FLAG_DYNAMIC, RTC_BUILD_QUALITY_REFIT};
+
+[[nodiscard]] inline RTCRay embree_ray(const Ray<float>& ray) noexcept {
+  RTCRay result;
+  result.org_x = ray.origin.x;
+  result.org_y = ray.origin.y;
+  result.org_z = ray.origin.z;
+  result.tnear = ray.t_min;
+  result.dir_x = ray.direction.x;
+  result.dir_y = ray.direction.y;
+  result.dir_z = ray.direction.z;
+  result.time = 0;
+  result.tfar = ray.t_max;
+  result.mask = std::numeric_limits<unsigned>::max();
+  result.id = 0;
+  result.flags = 0;
+  return result;
+}
+
+/// What a ray meets first in a scene; nothing where geomID says so.
+[[nodiscard]] inline RTCRayHit closest_in(RTCScene scene, const Ray<float>& ray) noexcept {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit found;
+  found.ray = embree_ray(ray);
+  found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &context, &found);
+  return found;
+}
+
+[[nodiscard]] inline bool occluded_in(RTCScene scene, const Ray<float>& ray) noexcept {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay query = embree_ray(ray);
+  rtcOccluded1(scene, &context, &query);
+  return query.tfar < 0;
+}
+
+struct ReleaseScene {
+  void operator()(RTCScene scene) const noexcept { rtcReleaseScene(scene); }
+};
+using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
 /// A committed scene of one mesh, which Embree reads where it is. Models RayCaster.
 ///
@@ -72,7 +118,7 @@ class EmbreeCaster {
     rtcSetSceneBuildQuality(scene_.get(), settings.quality);
     rtcSetSceneFlags(scene_.get(), settings.flags);
     const RTCGeometry geometry = rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetGeometryBuildQuality(geometry, settings.quality);
+    rtcSetGeometryBuildQuality(geometry, settings.mesh_quality);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
                                sizeof(Vec3<float>), mesh.positions.size() - 1);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices.data(), 0,
@@ -96,48 +142,23 @@ class EmbreeCaster {
   }
 
   [[nodiscard]] std::optional<Hit<float>> closest(const Ray<float>& ray) const noexcept {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    RTCRayHit found;
-    found.ray = embree_ray(ray);
-    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_.get(), &context, &found);
+    const RTCRayHit found = closest_in(scene_.get(), ray);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return Hit<float>{.t = found.ray.tfar, .uv = {found.hit.u, found.hit.v}, .primitive = found.hit.primID};
   }
+  [[nodiscard]] bool occluded(const Ray<float>& ray) const noexcept { return occluded_in(scene_.get(), ray); }
 
-  [[nodiscard]] bool occluded(const Ray<float>& ray) const noexcept {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    RTCRay query = embree_ray(ray);
-    rtcOccluded1(scene_.get(), &context, &query);
-    return query.tfar < 0;
+  /// Follows vertices that moved.
+  void commit_moved() const noexcept {
+    const RTCGeometry geometry = rtcGetGeometry(scene_.get(), 0);
+    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(geometry);
+    rtcCommitScene(scene_.get());
   }
 
  private:
-  struct Release {
-    void operator()(RTCScene scene) const noexcept { rtcReleaseScene(scene); }
-  };
-
-  [[nodiscard]] static RTCRay embree_ray(const Ray<float>& ray) noexcept {
-    RTCRay result;
-    result.org_x = ray.origin.x;
-    result.org_y = ray.origin.y;
-    result.org_z = ray.origin.z;
-    result.tnear = ray.t_min;
-    result.dir_x = ray.direction.x;
-    result.dir_y = ray.direction.y;
-    result.dir_z = ray.direction.z;
-    result.time = 0;
-    result.tfar = ray.t_max;
-    result.mask = std::numeric_limits<unsigned>::max();
-    result.id = 0;
-    result.flags = 0;
-    return result;
-  }
-
   std::ptrdiff_t bytes_;
-  std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> scene_;
+  EmbreeScene scene_;
 };
 
 }  // namespace glint::bench

@@ -40,7 +40,8 @@ namespace glint::bench {
 /// loses a rounding as often as a triangle is longer than it is high.
 class Judge {
  public:
-  explicit Judge(const MeshBuffers<float>& mesh) {
+  /// `reach`: of the coordinates from which rays were brought to the mesh.
+  explicit Judge(const MeshBuffers<float>& mesh, double reach = 0) : reach_(reach) {
     mesh_.positions.reserve(mesh.positions.size());
     for (const Vec3<float>& p : mesh.positions) mesh_.positions.emplace_back(p);
     mesh_.indices = mesh.indices;
@@ -131,7 +132,7 @@ class Judge {
   static constexpr double roundings_ = 16;
   MeshBuffers<double> mesh_;
   std::unique_ptr<Bvh<TriangleMesh<double>>> tree_;
-  double reach_ = 0;
+  double reach_;
 };
 
 }  // namespace glint::bench

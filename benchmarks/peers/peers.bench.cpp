@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -18,15 +14,14 @@
 #include <glint/core/executor.hpp>
 #include <glint/core/tbb_executor.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
-#include <glint/math/vec.hpp>
 
 #include <peers/contenders.hpp>
 #include <peers/embree.hpp>
 #include <peers/judge.hpp>
+#include <peers/mesh_list.hpp>
 #include <peers/options.hpp>
 #include <peers/race.hpp>
 #include <peers/report.hpp>
-#include <support/meshes.hpp>
 #include <support/named_mesh.hpp>
 #include <support/ray_sets.hpp>
 #include <support/timing.hpp>
@@ -36,9 +31,8 @@ namespace {
 using namespace glint;
 using namespace glint::bench;
 
-/// Everything that can be named after --only.
+/// What can be named after --only, beside meshes.
 struct Names {
-  std::vector<std::string> meshes;
   std::vector<std::string> measures{"primary", "diffuse", "ao", "shadow", "build"};
   std::vector<std::string> ours;
   std::vector<std::string> theirs;
@@ -153,8 +147,7 @@ struct Peers {
         our_builds());
   }
 
-  void measure(NamedMesh mesh) {
-    mesh.buffers.positions.push_back(Vec3<float>{0.0F});  // nobody's: Embree reads beyond the last
+  void measure(const NamedMesh& mesh) {
     std::printf("\n%s: %zu triangles\n", mesh.name.c_str(), mesh.buffers.indices.size() / 3);
     const auto wanted = [&](const char* measure) { return is_wanted(options, names.measures, measure); };
     if (wanted("primary") || wanted("diffuse") || wanted("ao") || wanted("shadow")) measure_rays(mesh);
@@ -168,58 +161,25 @@ struct Peers {
 /// The names there are, of which --only may choose.
 [[nodiscard]] Names all_names(const PeerOptions& options) {
   Names names;
-  for (const std::string& file : options.mesh_files) names.meshes.push_back(mesh_name(file));
-  if (options.mesh_files.empty()) {
-    for (const MeshMaker& maker : mesh_makers()) names.meshes.push_back(maker.name);
-    for (const std::string& file : files_beside_the_source()) names.meshes.push_back(mesh_name(file));
-  }
   const auto add_ours = [&](const auto&... ours) { (names.ours.push_back(ours.name), ...); };
   std::apply(add_ours, our_layouts());
   std::apply(add_ours, our_builds());
   for (const Theirs& theirs : their_settings()) names.theirs.push_back(theirs.name);
-  for (const std::string& name : options.only) {
-    const auto has = [&](const std::vector<std::string>& kind) {
-      return std::find(kind.begin(), kind.end(), name) != kind.end();
-    };
-    if (has(names.meshes) || has(names.measures) || has(names.ours) || has(names.theirs)) continue;
-    std::string known;
-    for (const auto* kind : {&names.meshes, &names.measures, &names.ours, &names.theirs})
-      for (const std::string& one : *kind) known += ' ' + one;
-    throw std::runtime_error("--only does not know '" + name + "'; there are:" + known);
-  }
+  check_names(options, {mesh_names(options), names.measures, names.ours, names.theirs});
   return names;
-}
-
-void measure_all(Peers& peers) {
-  std::vector<std::string> files = peers.options.mesh_files;
-  for (const std::string& file : files) {
-    if (std::error_code error; !std::filesystem::is_regular_file(file, error))
-      throw std::runtime_error("there is no file '" + file + "'");
-  }
-  const bool generated = files.empty();
-  if (generated) files = files_beside_the_source();
-  for (const std::string& file : files) {
-    if (is_wanted(peers.options, peers.names.meshes, mesh_name(file)))
-      peers.measure({mesh_name(file), load_mesh(file)});
-  }
-  if (!generated) return;
-  for (const MeshMaker& maker : mesh_makers()) {
-    if (is_wanted(peers.options, peers.names.meshes, maker.name))
-      peers.measure(maker.make(std::min(maker.triangles, peers.options.max_triangles)));
-  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // lines as they come, also into files
-  Peers peers{parse_peer_options({argv + 1, argv + argc}), {}, 0};
+  Peers peers{parse_peer_options({argv + 1, argv + argc}, peers_help), {}, 0};
   if (peers.options.help) {
-    std::fputs(peer_help.data(), stdout);
+    std::fputs(peers_help.data(), stdout);
     return EXIT_SUCCESS;
   }
   peers.names = all_names(peers.options);
-  measure_all(peers);
+  for_each_mesh(peers.options, [&](const NamedMesh& mesh) { peers.measure(mesh); });
   return peers.wrong == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "bench_peers: %s\n", error.what());

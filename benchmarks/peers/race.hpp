@@ -15,7 +15,6 @@
 #include <glint/math/constants.hpp>
 
 #include <peers/contenders.hpp>
-#include <peers/judge.hpp>
 #include <support/ray_sets.hpp>
 #include <support/timing.hpp>
 
@@ -110,8 +109,9 @@ inline void run_once(const Contenders& contenders, Measured& measured, std::size
 }
 
 /// How many answers of each contender the judge finds wrong. It is asked where contenders disagree.
-inline void count_wrong(const Contenders& contenders, const Measured& measured, const Judge& judge,
-                        std::vector<std::size_t>& wrong) {
+template <typename Judge>
+void count_wrong(const Contenders& contenders, const Measured& measured, const Judge& judge,
+                 std::vector<std::size_t>& wrong) {
   const RaySet& set = measured.set;
   const std::vector<Answers>& answers = measured.answers;
   const bool closest = set.question == Question::Closest;
