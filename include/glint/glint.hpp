@@ -65,6 +65,7 @@
 #include <glint/bvh/pass/statistics.hpp>
 #include <glint/bvh/pass/validate.hpp>
 #include <glint/bvh/query/hits.hpp>
+#include <glint/bvh/query/image_bounds.hpp>
 #include <glint/bvh/query/leaf_pairs.hpp>
 #include <glint/bvh/query/nearest.hpp>
 #include <glint/bvh/query/overlap.hpp>

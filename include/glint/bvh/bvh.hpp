@@ -20,6 +20,7 @@
 #include <glint/bvh/pass/refit.hpp>
 #include <glint/bvh/pass/refit_layout.hpp>
 #include <glint/bvh/pass/statistics.hpp>
+#include <glint/bvh/query/image_bounds.hpp>
 #include <glint/bvh/query/ray.hpp>
 #include <glint/bvh/ray_batch.hpp>
 #include <glint/bvh/traverse.hpp>
@@ -33,6 +34,8 @@
 #include <glint/geometry/ray.hpp>
 #include <glint/geometry/ray_packet.hpp>
 #include <glint/geometry/surface.hpp>
+#include <glint/geometry/transform.hpp>
+#include <glint/math/affine.hpp>
 #include <glint/math/vec.hpp>
 
 namespace glint {
@@ -88,6 +91,13 @@ class Bvh {
   /// Memory in use beside the set's own.
   [[nodiscard]] std::size_t bytes() const noexcept { return nodes_.bytes() + leaves_.bytes(); }
   [[nodiscard]] Aabb<Scalar> bounds() const noexcept { return bounds_; }
+  /// A box around all primitives under a map, closer than the image of `bounds()`. Where boxes move, it is that image.
+  [[nodiscard]] Aabb<Scalar> image_bounds(const Affine<Scalar>& affine) const {
+    if constexpr (boxes_move)
+      return transform(affine, bounds_);
+    else
+      return glint::image_bounds(nodes_, bounds_, affine);
+  }
 
   /// What queries walk through (bvh/query/), the user's own too.
   [[nodiscard]] const Nodes& nodes() const noexcept { return nodes_; }

@@ -43,10 +43,19 @@ template <std::floating_point T>
          abs(Vec3<T>(affine.linear[2])) * largest.z;
 }
 
-/// The image of a box, and around it what is rounded on the way there and back.
+/// A box around an object's image: the object may know a closer one than that of its box.
+template <Placeable G>
+[[nodiscard]] Aabb<typename G::Scalar> image_of(const G& object, const Affine<typename G::Scalar>& to_world) {
+  if constexpr (requires { object.image_bounds(to_world); })
+    return object.image_bounds(to_world);
+  else
+    return transform(to_world, object.bounds());
+}
+
+/// A box around the image of what is in a box, and around it what is rounded on the way there and back.
 template <std::floating_point T>
-[[nodiscard]] Aabb<T> placed_bounds(const Affine<T>& to_world, const Affine<T>& to_local, const Aabb<T>& box) noexcept {
-  const Aabb<T> image = transform(to_world, box);
+[[nodiscard]] Aabb<T> placed_bounds(const Affine<T>& to_world, const Affine<T>& to_local, const Aabb<T>& box,
+                                    const Aabb<T>& image) noexcept {
   if (is_empty(image)) return {};
   const auto largest = [](const Aabb<T>& b) { return max(abs(b.lower), abs(b.upper)); };
   const Vec3<T> there = stretched(to_world, largest(box)) + abs(to_world.translation);
@@ -59,12 +68,14 @@ template <std::floating_point T>
 
 /// Puts an object into the world by any affine map: turned, mirrored, scaled by what one likes along each axis.
 ///
-/// Errors: a map that flattens space, or is not finite, gives an instance that is never hit.
+/// Cost:   a microsecond or a few: its box in the world is put around the boxes in the upper levels of the object's
+/// tree. Errors: a map that flattens space, or is not finite, gives an instance that is never hit.
 template <Placeable G>
 [[nodiscard]] Instance<G> place(const G& object, const Affine<typename G::Scalar>& to_world) noexcept {
   const auto to_local = inverse(to_world);
   if (!to_local) return {.object = &object, .to_world = to_world};
-  return {&object, to_world, *to_local, detail::placed_bounds(to_world, *to_local, object.bounds())};
+  const auto image = detail::image_of(object, to_world);
+  return {&object, to_world, *to_local, detail::placed_bounds(to_world, *to_local, object.bounds(), image)};
 }
 
 /// Objects at many places as one set, each in memory once: a tree over them is the upper of two levels, and may be
