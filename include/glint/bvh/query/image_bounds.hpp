@@ -9,6 +9,7 @@
 #include <glint/bvh/traverse.hpp>
 #include <glint/core/config.hpp>
 #include <glint/geometry/aabb.hpp>
+#include <glint/geometry/transform.hpp>
 #include <glint/math/affine.hpp>
 #include <glint/math/vec.hpp>
 #include <glint/simd/pack.hpp>
