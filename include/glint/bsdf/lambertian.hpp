@@ -25,10 +25,15 @@ struct Lambertian {
   /// The cosine and π cancel: the weight is the reflectance.
   [[nodiscard]] std::optional<BsdfSample> sample(const Vec3<float>& wo, float /*u*/,
                                                  const Vec2<float>& uv) const noexcept {
-    if (!(wo.z > 0.0F)) return std::nullopt;
+    std::optional<BsdfSample> result;
+    if (!(wo.z > 0.0F)) return result;
     const Vec3<float> wi = cosine_hemisphere(uv);
-    if (!(wi.z > 0.0F)) return std::nullopt;
-    return BsdfSample{wi, reflectance, wi.z * inv_pi<float>, Lobe::Diffuse};
+    if (!(wi.z > 0.0F)) return result;
+    BsdfSample& sample = result.emplace();  // filled in place: copies of what was just written stall the processor
+    sample.wi = wi;
+    sample.weight = reflectance;
+    sample.pdf = wi.z * inv_pi<float>;
+    return result;
   }
 
   [[nodiscard]] constexpr Rgb albedo(const Vec3<float>& wo) const noexcept { return wo.z > 0.0F ? reflectance : Rgb{}; }

@@ -12,6 +12,19 @@
 
 namespace glint {
 
+namespace detail {
+
+/// A point on the side of the normal that `direction` points to, just beyond the reach of the position's error.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> offset_origin(const Vec3<T>& position, const Vec3<T>& error, const Vec3<T>& normal,
+                                    const Vec3<T>& direction) noexcept {
+  const Vec3<T> last_place = abs(position) * std::numeric_limits<T>::epsilon();
+  const T reach = glm::dot(abs(normal), error + last_place) * (T(1) + rounding_bound<T>(16));
+  return position + normal * (glm::dot(direction, normal) < T(0) ? -reach : reach);
+}
+
+}  // namespace detail
+
 /// A point to start a ray in `direction` from: off the surface, on the side of the geometric normal that `direction`
 /// points to, just beyond the reach of the position's error. No tunable epsilon: it scales with the scene.
 ///
@@ -23,9 +36,7 @@ namespace glint {
 /// Source:   Pharr, Jakob, Humphreys, Physically Based Rendering (2023), section 6.8.6.
 template <std::floating_point T>
 [[nodiscard]] Vec3<T> offset_origin(const SurfaceOf<T>& at, const Vec3<T>& direction) noexcept {
-  const Vec3<T> last_place = abs(at.position) * std::numeric_limits<T>::epsilon();
-  const T reach = glm::dot(abs(at.normal), at.position_error + last_place) * (T(1) + rounding_bound<T>(16));
-  return at.position + at.normal * (glm::dot(direction, at.normal) < T(0) ? -reach : reach);
+  return detail::offset_origin(at.position, at.position_error, at.normal, direction);
 }
 
 /// A ray that leaves a surface and does not meet the place it left.
@@ -48,9 +59,8 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] Vec3<T> offset_toward(const SurfaceOf<T>& at, const Vec3<T>& viewer) noexcept {
   const Vec3<T> away = viewer - at.position;
-  SurfaceOf<T> seen_from_afar = at;
-  seen_from_afar.position_error += Vec3<T>(rounding_bound<T>(16) * max_component(abs(away)));
-  return offset_origin(seen_from_afar, away);
+  const Vec3<T> seen_from_afar(rounding_bound<T>(16) * max_component(abs(away)));
+  return detail::offset_origin(at.position, at.position_error + seen_from_afar, at.normal, away);
 }
 
 /// The ray from one surface to another: both ends are off their surfaces, so that neither hides the other.

@@ -24,6 +24,15 @@ struct Arrival {
   Vec3<float> normal{0.0F};
   float pdf = 0;            ///< of the direction it took
   bool next_event = false;  ///< whether next-event estimation looked for the same light
+
+  /// From where `at` is, as sampled there; `looked` says whether next-event estimation was tried.
+  template <Bsdf B>
+  void leave(const Interaction<B>& at, const BsdfSample& scattered, bool looked) noexcept {
+    from = at.surface.position;  // one by one: copies of what was just written stall the processor
+    normal = at.frame.z;
+    pdf = scattered.pdf;
+    next_event = looked && scattered.lobe != Lobe::Specular;
+  }
 };
 
 /// Finds the light at the vertices of a path. What is returned is still to be multiplied by the path's throughput.

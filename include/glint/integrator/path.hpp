@@ -67,8 +67,8 @@ struct Path {
       throughput *= scattered->weight;
       if (!survives_roulette(throughput, roulette_below, sampler)) break;
       if (!left.take(wo, *scattered)) last = segments + 1;
-      arrival = {at->surface.position, at->frame.z, scattered->pdf, next_event && scattered->lobe != Lobe::Specular};
-      ray = at->leave(at->to_world(scattered->wi));
+      arrival.leave(*at, *scattered, next_event);
+      at->leave(at->to_world(scattered->wi), ray);
       footprint.scatter(*at, *scattered, ray.direction);
     }
   }

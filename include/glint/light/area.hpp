@@ -72,17 +72,20 @@ struct AreaLight {
 
   /// A point on the surface; nothing where it turns its back to `from`.
   [[nodiscard]] std::optional<LightSample> sample(const Vec3<float>& from, const Vec2<float>& u) const noexcept {
+    std::optional<LightSample> result;
     const std::optional<SeenSample> chosen = seen(from, u);
-    if (!chosen) return std::nullopt;
+    if (!chosen) return result;
     const Vec3<float> to_light = chosen->surface.position - from;
     const float distance = glm::length(to_light);
-    if (!(distance > 0)) return std::nullopt;
-    return LightSample{.wi = to_light / distance,
-                       .distance = distance,
-                       .radiance = radiance_at(chosen->surface.uv),
-                       .pdf = chosen->pdf,
-                       .target = offset_toward(chosen->surface, from),
-                       .normal = chosen->surface.normal};
+    if (!(distance > 0)) return result;
+    LightSample& sample = result.emplace();  // filled in place: copies of what was just written stall the processor
+    sample.wi = to_light / distance;
+    sample.distance = distance;
+    sample.radiance = radiance_at(chosen->surface.uv);
+    sample.pdf = chosen->pdf;
+    sample.target = offset_toward(chosen->surface, from);
+    sample.normal = chosen->surface.normal;
+    return result;
   }
 
   [[nodiscard]] Rgb emission(const Surface& at, const Vec3<float>& wo) const noexcept {

@@ -48,10 +48,14 @@ concept SeenSampleable = requires(const S& shape, const Vec3<float>& from, const
 template <AreaSampleable S>
 [[nodiscard]] std::optional<SeenSample> sample_seen_by_area(const S& shape, const Vec3<float>& from,
                                                             const Vec2<float>& u) noexcept {
+  std::optional<SeenSample> result;
   const AreaSample<float> chosen = sample_area(shape, u);
   const float pdf = seen_area_pdf(chosen.pdf, from, chosen.surface);
-  if (!(pdf > 0)) return std::nullopt;
-  return SeenSample{chosen.surface, pdf};
+  if (!(pdf > 0)) return result;
+  SeenSample& sample = result.emplace();
+  sample.surface = chosen.surface;
+  sample.pdf = pdf;
+  return result;
 }
 
 }  // namespace glint

@@ -27,11 +27,17 @@ struct Frame {
 
   /// The frame around a unit vector z whose x is `tangent` made perpendicular to z; any x where that has no length.
   [[nodiscard]] static Frame from_normal_and_tangent(const Vec3<T>& z, const Vec3<T>& tangent) noexcept {
-    const Vec3<T> x = tangent - z * glm::dot(tangent, z);
-    const T squared = length_squared(x);
-    if (!(squared > T(0)) || !std::isfinite(squared)) return around(z);
-    const Vec3<T> unit = x * (T(1) / std::sqrt(squared));
-    return {unit, glm::cross(z, unit), z};
+    Frame result;  // all returns are of this object, which the caller then has without a copy
+    const Vec3<T> across = tangent - z * glm::dot(tangent, z);
+    const T squared = length_squared(across);
+    if (squared > T(0) && std::isfinite(squared)) {
+      result.x = across * (T(1) / std::sqrt(squared));
+      result.y = glm::cross(z, result.x);
+      result.z = z;
+    } else {
+      result = around(z);
+    }
+    return result;
   }
 
   [[nodiscard]] Vec3<T> to_local(const Vec3<T>& v) const noexcept {

@@ -27,6 +27,17 @@ struct Interaction {
   /// The ray that leaves the surface in a world direction, and does not meet it again.
   [[nodiscard]] Ray<float> leave(const Vec3<float>& direction) const noexcept { return spawn_ray(surface, direction); }
 
+  /// Turns a ray into that one, in place: copies of what was just written stall the processor.
+  void leave(const Vec3<float>& direction, Ray<float>& ray) const noexcept {
+    constexpr Ray<float> fresh;
+    ray.origin = offset_origin(surface, direction);
+    ray.direction = direction;
+    ray.t_min = fresh.t_min;
+    ray.t_max = fresh.t_max;
+    ray.time = fresh.time;
+    ray.mask = fresh.mask;
+  }
+
   /// The ray from the surface to a point: t = 1 there.
   [[nodiscard]] Ray<float> leave_to(const Vec3<float>& target) const noexcept { return spawn_ray_to(surface, target); }
 };
