@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -24,87 +22,26 @@
 #include <glint/io/image.hpp>
 #include <glint/io/scene_file.hpp>
 #include <glint/io/scene_json.hpp>
-#include <glint/io/scene_settings.hpp>
 #include <glint/render/render.hpp>
 
+#include <efficiency/options.hpp>
 #include <support/timing.hpp>
 
-/// Noise against time: relMSE against a converged image, and what a second of rendering buys.
+/// Noise against time: relMSE against converged images, and what a second of rendering buys.
 
 namespace {
 
 using namespace glint;
+using namespace glint::bench;
 namespace fs = std::filesystem;
 
-constexpr std::string_view help =
-    R"(bench_efficiency [SCENE.json]... [--threads N] [--spp N] [--reference-spp N] [--references DIR] [--quick]
-
-Renders scenes by path tracing to 12 segments, and compares them with converged images of our own.
-
-  SCENE.json          scenes; without, a Cornell box, one with glass, and what is found beside the source tree
-  --threads N         2 unless given
-  --spp N             samples a pixel, 64 unless given
-  --reference-spp N   of the converged image, 2048 unless given; its noise is counted as error, one part in 32
-  --references DIR    keep converged images there, and use those that are
-  --quick             small and noisy: whether it works
-  --help
-
-A line to be read by programs for each scene:
-  EFFICIENCY scene Msamples/s relMSE 1/(relMSE·s)
-)";
-
-struct EfficiencyOptions {
-  bool help = false;
-  bool quick = false;
-  int threads = 2;
-  int samples = 64;
-  int reference_samples = 2048;
-  std::string references;
-  std::vector<std::string> scenes;
-};
-
-/// A scene, and what is changed in it before it is read.
+/// A scene, what is changed in it before it is read, and how its light is found.
 struct Task {
   std::string name;
   fs::path file;
   nlohmann::json changes = nlohmann::json::object();
+  std::vector<Transport> transports{Transport::Path};  ///< the last one makes the references
 };
-
-[[nodiscard]] int positive(const std::string& option, const std::string& text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > 1 << 24)
-    throw std::runtime_error(option + ": found '" + text + "', expected a number from 1 to 16777216");
-  return value;
-}
-
-[[nodiscard]] EfficiencyOptions parse(const std::vector<std::string>& arguments) {
-  EfficiencyOptions options;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& option = arguments[i];
-    const auto value = [&]() -> const std::string& {
-      if (i + 1 == arguments.size()) throw std::runtime_error(option + " takes a value");
-      return arguments[++i];
-    };
-    if (option == "--help")
-      options.help = true;
-    else if (option == "--quick")
-      options.quick = true;
-    else if (option == "--threads")
-      options.threads = positive(option, value());
-    else if (option == "--spp")
-      options.samples = positive(option, value());
-    else if (option == "--reference-spp")
-      options.reference_samples = positive(option, value());
-    else if (option == "--references")
-      options.references = value();
-    else if (option.starts_with("--"))
-      throw std::runtime_error("unknown option '" + option + "'; --help shows those there are");
-    else
-      options.scenes.push_back(option);
-  }
-  return options;
-}
 
 /// The Cornell box of other renderers' comparisons with a glass sphere in place of its boxes.
 [[nodiscard]] nlohmann::json glass_sphere(const fs::path& box) {
@@ -115,90 +52,163 @@ struct Task {
   return {{"objects", objects}, {"materials", {{"glass", {{"type", "glass"}, {"eta", 1.5}}}}}};
 }
 
-[[nodiscard]] std::vector<Task> tasks(const EfficiencyOptions& options) {
-  std::vector<Task> all;
-  for (const std::string& scene : options.scenes) all.push_back({fs::path(scene).stem().string(), scene});
-  if (!all.empty()) return all;
+/// The scenes that have names.
+[[nodiscard]] std::vector<Task> named_tasks() {
+  const std::vector both{Transport::Path, Transport::Bdpt};
   const fs::path source = GLINT_SOURCE_DIR;
-  for (const char* name : {"cornell_box", "cornell_box_glass"})
-    all.push_back({name, source / "examples" / "scenes" / (std::string(name) + ".json")});
+  const fs::path own = source / "examples" / "scenes";
   const fs::path shared = source / ".." / "shared" / "scenes" / "oracles";
-  if (std::error_code error; options.quick || !fs::exists(shared / "cbox.json", error)) return all;
-  all.push_back({"cbox", shared / "cbox.json"});
-  all.push_back({"bunny", shared / "bunny.json"});
-  all.push_back({"glass", shared / "cbox.json", glass_sphere(shared / "cbox.json")});
+  std::vector<Task> all{{.name = "cornell_box", .file = own / "cornell_box.json"},
+                        {.name = "cornell_box_glass", .file = own / "cornell_box_glass.json", .transports = both}};
+  if (std::error_code error; !fs::exists(shared / "cbox.json", error)) {
+    std::fputs("cbox, bunny, glass: left out, as they are not beside the source tree\n", stderr);
+    return all;
+  }
+  all.push_back({.name = "cbox", .file = shared / "cbox.json"});
+  all.push_back({.name = "bunny", .file = shared / "bunny.json"});
+  all.push_back({.name = "glass",
+                 .file = shared / "cbox.json",
+                 .changes = glass_sphere(shared / "cbox.json"),
+                 .transports = both});
   return all;
+}
+
+[[nodiscard]] std::vector<Task> tasks(const EfficiencyOptions& options) {
+  std::vector<Task> known = named_tasks();
+  if (options.scenes.empty()) return known;
+  std::vector<Task> result;
+  for (const std::string& scene : options.scenes) {
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Task& task) { return task.name == scene; });
+    result.push_back(found != known.end() ? *found : Task{.name = fs::path(scene).stem().string(), .file = scene});
+  }
+  return result;
 }
 
 struct Rendering {
   Image image;
-  double seconds = 0;
-  double samples = 0;
+  double wall_seconds = 0;
+  double cpu_seconds = 0;  ///< of all threads, over their number
 };
 
-[[nodiscard]] Rendering render_once(const SceneFile& file, const TbbExecutor& executor, std::uint64_t seed,
-                                    int samples) {
-  const auto scene = scene_of(file, executor);
-  Film<SceneFilter> film(file.film.resolution, file.film.filter);
-  const Path integrator{.max_depth = 12};
-  const auto sequence = sequence_of({.kind = file.sampler.kind, .seed = seed}, samples);
-  const auto report = render(scene, file.camera, integrator, film, {.samples = samples}, executor, sequence);
-  return {film.develop(executor), report.seconds, double(report.samples)};
+/// A scene ready to be rendered in several ways.
+struct Subject {
+  const SceneFile& file;
+  const LoadedScene& scene;
+  const TbbExecutor& executor;
+  float roulette;
+
+  /// Of the whole image.
+  [[nodiscard]] double samples(int of_pixel) const {
+    return double(file.film.resolution.x) * double(file.film.resolution.y) * of_pixel;
+  }
+
+  [[nodiscard]] Rendering render(Transport transport, const SamplerSettings& sampler, int samples) const {
+    return transport == Transport::Path ? render(Path{}, sampler, samples) : render(Bdpt{}, sampler, samples);
+  }
+
+ private:
+  template <typename I>
+  [[nodiscard]] Rendering render(I integrator, const SamplerSettings& sampler, int samples) const {
+    integrator.max_depth = 12;
+    if (roulette >= 0) integrator.roulette_below = roulette;
+    Film<SceneFilter> film(file.film.resolution, file.film.filter);
+    const auto sequence = sequence_of(sampler, samples);
+    const double begin = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    const auto report = glint::render(scene, file.camera, integrator, film, {.samples = samples}, executor, sequence);
+    const double cpu_seconds = (seconds(CLOCK_PROCESS_CPUTIME_ID) - begin) / executor.concurrency();
+    return {film.develop(executor), report.seconds, cpu_seconds};
+  }
+};
+
+using References = std::array<Image, 2>;
+
+/// The converged images: kept, and looked for, where the user says so.
+[[nodiscard]] References references_of(const Task& task, const Subject& subject, const EfficiencyOptions& options) {
+  References result;
+  for (std::uint64_t i = 0; i < result.size(); ++i) {
+    const std::string name = task.name + '-' + std::to_string(options.reference_samples) + "-of-" +
+                             std::to_string(subject.file.film.resolution.x) + '-' + std::to_string(i) + ".exr";
+    const fs::path kept = options.references.empty() ? fs::path() : fs::path(options.references) / name;
+    std::error_code error;
+    if (!kept.empty() && fs::exists(kept, error)) {
+      result[i] = read_image(kept);
+      continue;
+    }
+    constexpr std::uint64_t first_seed = 1'000'003;  // far from those that are measured
+    result[i] = subject.render(task.transports.back(), {.seed = first_seed + i}, options.reference_samples).image;
+    if (kept.empty()) continue;
+    fs::create_directories(kept.parent_path());
+    write_image(result[i], kept);
+  }
+  return result;
 }
 
-/// The converged image: kept, and looked for, where the user says so.
-[[nodiscard]] Image reference_of(const Task& task, const SceneFile& file, const EfficiencyOptions& options,
-                                 const TbbExecutor& executor) {
-  const fs::path kept =
-      options.references.empty()
-          ? fs::path()
-          : fs::path(options.references) / (task.name + '-' + std::to_string(options.reference_samples) + ".exr");
-  std::error_code error;
-  if (!kept.empty() && fs::exists(kept, error)) {
-    Image image = read_image(kept);
-    if (image.size() == file.film.resolution) return image;
+/// The mean over pixels and channels of (I − R₁) (I − R₂) / (R² + 0.01), R the mean of the two.
+[[nodiscard]] double relmse(const Image& image, const References& references) {
+  double sum = 0;
+  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+    const auto add = [&](double x, double first, double second) {
+      const double mean = (first + second) / 2;
+      sum += (x - first) * (x - second) / (mean * mean + 0.01);
+    };
+    const Rgb& x = image.pixels()[i];
+    const Rgb& first = references[0].pixels()[i];
+    const Rgb& second = references[1].pixels()[i];
+    add(double(x.r), double(first.r), double(second.r));
+    add(double(x.g), double(first.g), double(second.g));
+    add(double(x.b), double(first.b), double(second.b));
   }
-  Image image = render_once(file, executor, 1'000'003, options.reference_samples).image;
-  if (!kept.empty()) {
-    fs::create_directories(kept.parent_path());
-    write_image(image, kept);
+  return sum / (3 * double(image.pixels().size()));
+}
+
+/// Renders with several seeds, and prints the medians. Errors: the image is not that of the references.
+void measure(const Task& task, const Subject& subject, const References& references, Transport transport,
+             SamplerKind sampler, const EfficiencyOptions& options) {
+  std::vector<double> errors;
+  std::vector<double> wall;
+  std::vector<double> cpu;
+  for (int seed = 1; seed <= options.repetitions; ++seed) {
+    const SamplerSettings settings{.kind = sampler, .seed = std::uint64_t(seed)};
+    const Rendering rendering = subject.render(transport, settings, options.samples);
+    const auto difference = compare(rendering.image, references[0]);
+    if (!difference || !(std::abs(difference->mean_ratio - 1) < (options.quick ? 0.1 : 0.01)))
+      throw std::runtime_error(task.name + ": the mean is not that of the converged image");
+    errors.push_back(relmse(rendering.image, references));
+    wall.push_back(rendering.wall_seconds);
+    cpu.push_back(rendering.cpu_seconds);
   }
-  return image;
+  const double error = median(errors);
+  const double samples = subject.samples(options.samples);
+  std::printf("EFFICIENCY %s %s %s %.4g  %.2f %.4g  %.2f %.4g\n", task.name.c_str(),
+              name_of(transport, transports).c_str(), name_of(sampler, samplers).c_str(), error,
+              samples / median(wall) * 1e-6, 1 / (error * median(wall)), samples / median(cpu) * 1e-6,
+              1 / (error * median(cpu)));
 }
 
 void measure(const Task& task, const EfficiencyOptions& options, const TbbExecutor& executor) {
   SceneReadOptions reading;
   reading.overrides.push_back(task.changes.dump());
   SceneFile file = read_scene(task.file, reading);
-  if (options.quick) file.film.resolution = {48, 48};
-  const Image reference = reference_of(task, file, options, executor);
-  std::vector<double> errors;
-  std::vector<double> seconds;
-  double samples = 0;
-  for (std::uint64_t seed = 1; seed <= (options.quick ? 1U : 3U); ++seed) {
-    const Rendering one = render_once(file, executor, seed, options.samples);
-    const auto difference = compare(one.image, reference);
-    if (!difference || !(std::abs(difference->mean_ratio - 1) < (options.quick ? 0.1 : 0.01)))
-      throw std::runtime_error(task.name + ": the mean is not that of the converged image");
-    errors.push_back(difference->relmse);
-    seconds.push_back(one.seconds);
-    samples = one.samples;
+  if (options.resolution > 0) file.film.resolution = Vec2i(options.resolution);
+  const LoadedScene scene = scene_of(file, executor);
+  const Subject subject{file, scene, executor, options.roulette};
+  const References references = references_of(task, subject, options);
+  for (const Transport transport : options.transports.empty() ? task.transports : options.transports) {
+    for (const SamplerKind sampler : options.samplers) {
+      measure(task, subject, references, transport, sampler, options);
+    }
   }
-  const double relmse = bench::median(errors);
-  const double time = bench::median(seconds);
-  std::printf("EFFICIENCY %s %.2f %.3g %.4g\n", task.name.c_str(), samples / time * 1e-6, relmse, 1 / (relmse * time));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // lines as they come, also into files
-  EfficiencyOptions options = parse({argv + 1, argv + argc});
+  const EfficiencyOptions options = parse_efficiency_options({argv + 1, argv + argc});
   if (options.help) {
-    std::fputs(help.data(), stdout);
+    std::fputs(efficiency_help.data(), stdout);
     return EXIT_SUCCESS;
   }
-  if (options.quick) options.reference_samples = std::min(options.reference_samples, 256);
   const TbbExecutor executor(options.threads);
   for (const Task& task : tasks(options)) measure(task, options, executor);
   return EXIT_SUCCESS;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <glint/io/scene_meshes.hpp>  // first, so the header proves it stands alone
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,10 @@ using glint::testing::TemporaryDirectory;
 /// In the plane z = 0, seen counterclockwise from +z.
 MeshBuffers<float> triangle() {
   return {.positions = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, .normals = {}, .uvs = {}, .indices = {0, 1, 2}};
+}
+
+std::optional<Rgb> evenly(std::uint32_t /*triangle*/) {
+  return Rgb{1};
 }
 
 Vec3<float> geometric_normal(const MeshBuffers<float>& mesh) {
@@ -94,14 +101,62 @@ TEST_CASE("scene meshes: meshes with and without normals and uvs become one", "[
   CHECK(std::isnan(all.uvs[6].x));
 }
 
-TEST_CASE("scene meshes: a mesh light has the mesh's area; one without area is none", "[io][scene]") {
-  const auto light = glint::detail::mesh_light(triangle(), {1, 2, 3});
-  REQUIRE(light);
-  CHECK(area(light->shape) == 1);  // 2 · 1 / 2
+TEST_CASE("scene meshes: a triangle shines as itself; one without area does not, nor one without radiance",
+          "[io][scene]") {
+  auto mesh = triangle();
+  mesh.positions.emplace_back(4.0F, 0.0F, 0.0F);
+  mesh.indices = {0, 1, 3, 0, 1, 2, 0, 1, 2};  // the first is flat
+  SceneDraft draft;
+  const auto radiance_of = [](std::uint32_t i) { return i < 2 ? std::optional(Rgb{1, 2, 3}) : std::nullopt; };
+  const auto lights = glint::detail::add_mesh_lights(mesh, radiance_of, draft);
+  CHECK(lights == std::vector{glint::none<std::uint32_t>, 0U, glint::none<std::uint32_t>});
+  REQUIRE(draft.scene.lights.size() == 1);
+  const auto* light = draft.scene.lights[0].get_if<glint::AreaLight<glint::Triangle<float>>>();
+  REQUIRE(light != nullptr);
+  CHECK(light->shape == glint::Triangle<float>{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}});
   CHECK(light->radiance == Rgb{1, 2, 3});
-  auto flat = triangle();
-  flat.positions[2] = {4, 0, 0};
-  CHECK_FALSE(glint::detail::mesh_light(flat, 1));
+}
+
+TEST_CASE("scene meshes: two triangles that are a parallelogram shine as one, wherever their corners begin",
+          "[io][scene]") {
+  MeshBuffers<float> mesh{
+      .positions = {{0, 0, 1}, {2, 0, 1}, {3, 1, 1}, {1, 1, 1}}, .normals = {}, .uvs = {}, .indices = {}};
+  const auto turn = GENERATE(range(0U, 9U));
+  const std::array first{0U, 1U, 2U};
+  const std::array second{0U, 2U, 3U};
+  for (unsigned i = 0; i < 3; ++i) mesh.indices.push_back(first[(i + turn % 3) % 3]);
+  for (unsigned i = 0; i < 3; ++i) mesh.indices.push_back(second[(i + turn / 3) % 3]);
+  SceneDraft draft;
+  const auto lights = glint::detail::add_mesh_lights(mesh, evenly, draft);
+  CHECK(lights == std::vector{0U, 0U});
+  REQUIRE(draft.scene.lights.size() == 1);
+  const auto* light = draft.scene.lights[0].get_if<glint::AreaLight<glint::Quad<float>>>();
+  REQUIRE(light != nullptr);
+  CHECK(bounds(light->shape) == glint::Aabb<float>{{0, 0, 1}, {3, 1, 1}});
+  CHECK(glm::cross(light->shape.edge_u, light->shape.edge_v) == Vec3<float>(0, 0, 2));  // 2 wide, 1 high, up like both
+}
+
+TEST_CASE("scene meshes: triangles that are no parallelogram, or wound differently, shine each alone", "[io][scene]") {
+  MeshBuffers<float> mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1.5F, 0}, {0, 1, 0.5F}},
+                          .normals = {},
+                          .uvs = {},
+                          .indices = {}};
+  mesh.indices = GENERATE(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 4},   // a trapezoid
+                          std::vector<std::uint32_t>{0, 1, 2, 0, 2, 5},   // bent
+                          std::vector<std::uint32_t>{0, 1, 2, 0, 3, 2});  // the second faces down
+  SceneDraft draft;
+  CHECK(glint::detail::add_mesh_lights(mesh, evenly, draft) == std::vector{0U, 1U});
+  CHECK(draft.scene.lights.size() == 2);
+}
+
+TEST_CASE("scene meshes: the halves of a parallelogram that shine differently are two lights", "[io][scene]") {
+  const MeshBuffers<float> mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                .normals = {},
+                                .uvs = {},
+                                .indices = {0, 1, 2, 0, 2, 3}};
+  SceneDraft draft;
+  const auto radiance_of = [](std::uint32_t i) { return std::optional(Rgb{float(i + 1)}); };
+  CHECK(glint::detail::add_mesh_lights(mesh, radiance_of, draft) == std::vector{0U, 1U});
 }
 
 TEST_CASE("scene meshes: an MTL file's materials are two-sided, and v = 0 is the bottom of their maps", "[io][scene]") {
@@ -139,7 +194,7 @@ TEST_CASE("scene meshes: each face of a mesh with materials needs one", "[io][sc
         path.string() + ": has faces without a material, expected one for each face");
 }
 
-TEST_CASE("scene meshes: triangles of a material that shines are one light, where they were placed", "[io][scene]") {
+TEST_CASE("scene meshes: triangles of a material that shines are lights, where they were placed", "[io][scene]") {
   const TemporaryDirectory directory;
   directory.write("m.mtl", "newmtl plain\nKd 1 1 1\nnewmtl lamp\nKe 1 2 3\nnewmtl unused\nKe 1 1 1\n");
   const auto path = directory.write("m.obj",
@@ -148,11 +203,11 @@ TEST_CASE("scene meshes: triangles of a material that shines are one light, wher
   SceneDraft draft;
   JsonSource source;
   const auto mesh = glint::detail::load_obj(path, MtlUse::Read, Affine<float>::scale({2, 2, 2}), draft, source);
-  CHECK(mesh.lights == std::vector<std::uint32_t>{glint::none<std::uint32_t>, 0, 0});
-  REQUIRE(draft.scene.lights.size() == 1);
-  const auto* light = draft.scene.lights[0].get_if<glint::AreaLight<glint::TriangleSampler>>();
+  CHECK(mesh.lights == std::vector<std::uint32_t>{glint::none<std::uint32_t>, 0, 1});
+  REQUIRE(draft.scene.lights.size() == 2);
+  const auto* light = draft.scene.lights[0].get_if<glint::AreaLight<glint::Triangle<float>>>();
   REQUIRE(light != nullptr);
-  CHECK(area(light->shape) == 4);  // twice 2 · 2 / 2
+  CHECK(area(light->shape) == 2);  // 2 · 2 / 2
   CHECK(light->radiance == Rgb{1, 2, 3});
 }
 

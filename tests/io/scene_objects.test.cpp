@@ -101,14 +101,15 @@ TEST_CASE("scene objects: a mesh is transformed, row by row, and then translated
   CHECK(scene.inputs == std::vector{directory / "t.obj"});
 }
 
-TEST_CASE("scene objects: all triangles of a mesh are one light", "[io][scene]") {
+TEST_CASE("scene objects: a mesh's triangles know which of the scene's lights they are", "[io][scene]") {
   const TemporaryDirectory directory;
-  directory.write("q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  directory.write("q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\nf 1 2 3 4\nf 4 3 5\n");
   const auto scene =
       scene_of_object(R"({"type": "mesh", "path": "q.obj", "light": {"radiance": [1, 2, 3]}})", directory.path());
-  REQUIRE(scene.lights.size() == 1);
-  CHECK(scene.attributes[0].lights == std::vector<std::uint32_t>{0, 0});
-  CHECK(area(scene.lights[0].get_if<glint::AreaLight<glint::TriangleSampler>>()->shape) == 1);
+  REQUIRE(scene.lights.size() == 2);
+  CHECK(scene.attributes[0].lights == std::vector<std::uint32_t>{0, 0, 1});
+  CHECK(area(scene.lights[0].get_if<glint::AreaLight<glint::Quad<float>>>()->shape) == 1);
+  CHECK(area(scene.lights[1].get_if<glint::AreaLight<glint::Triangle<float>>>()->shape) == 0.5F);
 }
 
 TEST_CASE("scene objects: a mesh that names no material has those of its MTL file", "[io][scene]") {

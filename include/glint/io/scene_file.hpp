@@ -25,6 +25,7 @@
 #include <glint/geometry/set/filtered.hpp>
 #include <glint/geometry/set/joined.hpp>
 #include <glint/geometry/sphere.hpp>
+#include <glint/geometry/triangle.hpp>
 #include <glint/geometry/triangle_mesh.hpp>
 #include <glint/io/scene_settings.hpp>
 #include <glint/io/scene_surfaces.hpp>
@@ -34,7 +35,6 @@
 #include <glint/light/lights.hpp>
 #include <glint/light/point.hpp>
 #include <glint/light/spot.hpp>
-#include <glint/light/triangle_sampler.hpp>
 #include <glint/material/material_table.hpp>
 #include <glint/material/opacity.hpp>
 #include <glint/render/options.hpp>
@@ -43,7 +43,7 @@
 namespace glint {
 
 /// What the lights of a scene file can be.
-using SceneLight = OneOf<PointLight, SpotLight, DirectionalLight, AreaLight<TriangleSampler>, AreaLight<Sphere<float>>,
+using SceneLight = OneOf<PointLight, SpotLight, DirectionalLight, AreaLight<Triangle<float>>, AreaLight<Sphere<float>>,
                          AreaLight<Disk<float>>, AreaLight<Quad<float>>, EnvironmentLight<SceneTexture>>;
 
 /// Primitives of one kind and, for each, what it is made of and which light it is.

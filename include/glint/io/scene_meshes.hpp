@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +13,9 @@
 #include <glint/color/rgb.hpp>
 #include <glint/core/index.hpp>
 #include <glint/geometry/mesh_buffers.hpp>
+#include <glint/geometry/quad.hpp>
+#include <glint/geometry/triangle.hpp>
+#include <glint/geometry/triangle_mesh.hpp>
 #include <glint/io/error.hpp>
 #include <glint/io/image.hpp>
 #include <glint/io/json_object.hpp>
@@ -19,7 +23,10 @@
 #include <glint/io/scene_draft.hpp>
 #include <glint/io/scene_file.hpp>
 #include <glint/io/scene_mtl.hpp>
+#include <glint/light/area.hpp>
 #include <glint/math/affine.hpp>
+#include <glint/math/constants.hpp>
+#include <glint/math/vec.hpp>
 
 /// Meshes on their way from files into a scene.
 namespace glint::detail {
@@ -74,51 +81,66 @@ inline void append_mesh(MeshBuffers<float>& all, const MeshBuffers<float>& mesh)
   for (const std::uint32_t index : mesh.indices) all.indices.push_back(index + static_cast<std::uint32_t>(before));
 }
 
-/// The light that a whole mesh is. Nothing where it has no area.
-[[nodiscard]] inline std::optional<AreaLight<TriangleSampler>> mesh_light(const MeshBuffers<float>& mesh,
-                                                                          const Rgb& radiance) {
-  std::vector<Triangle<float>> triangles;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    triangles.push_back(
-        {mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]], mesh.positions[mesh.indices[i + 2]]});
+/// The parallelogram that two triangles are the halves of, with their winding. Nothing where they are not.
+[[nodiscard]] inline std::optional<Quad<float>> quad_of(const Triangle<float>& first, const Triangle<float>& second) {
+  const std::array a{first.v0, first.v1, first.v2};
+  const std::array b{second.v0, second.v1, second.v2};
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Vec3<float>& begin = a[i % 3];  // of an edge, which the other triangle has the other way round
+    const Vec3<float>& end = a[(i + 1) % 3];
+    const Vec3<float>& corner = a[(i + 2) % 3];
+    if (b[i / 3] != end || b[(i / 3 + 1) % 3] != begin) continue;
+    const Quad<float> quad{corner, begin - corner, end - corner};
+    const Vec3<float> gap = abs(quad.origin + (quad.edge_u + quad.edge_v) - b[(i / 3 + 2) % 3]);
+    const Vec3<float> magnitude = abs(begin) + abs(end) + abs(corner);
+    if (max_component(gap) <= rounding_bound<float>(4) * max_component(magnitude)) return quad;
   }
-  TriangleSampler shape(std::move(triangles));
-  if (!(area(shape) > 0)) return std::nullopt;
-  return AreaLight<TriangleSampler>{std::move(shape), radiance};
+  return std::nullopt;
+}
+
+/// Adds the lights that triangles of a mesh are, and returns which one each is. Two in a row that are one parallelogram
+/// shine as one, the others each by itself, those without area not at all.
+///
+/// Shapes: radiance_of(triangle) is an optional Rgb, empty where it does not shine.
+template <typename RadianceOf>
+[[nodiscard]] std::vector<std::uint32_t> add_mesh_lights(const MeshBuffers<float>& mesh, const RadianceOf& radiance_of,
+                                                         SceneDraft& draft) {
+  const auto shape = view(mesh);
+  const auto count = static_cast<std::uint32_t>(shape.size());
+  std::vector<std::uint32_t> lights(count, none<std::uint32_t>);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Triangle<float> triangle = shape.triangle(i);
+    const std::optional<Rgb> radiance = radiance_of(i);
+    const float size = area(triangle);
+    if (!radiance || !(size > 0 && size < infinity<float>)) continue;
+    const bool in_pair = i + 1 < count && radiance_of(i + 1) == radiance;
+    const auto quad = in_pair ? quad_of(triangle, shape.triangle(i + 1)) : std::nullopt;
+    if (quad) {
+      lights[i] = lights[i + 1] = draft.add_light(AreaLight<Quad<float>>{*quad, *radiance});
+      ++i;
+    } else {
+      lights[i] = draft.add_light(AreaLight<Triangle<float>>{triangle, *radiance});
+    }
+  }
+  return lights;
 }
 
 /// An OBJ file and, unless the scene names a material for it, its own materials and lamps added to the scene.
 struct LoadedMesh {
   MeshBuffers<float> buffers;
   std::vector<std::uint32_t> materials;  ///< one a triangle; empty where it has none of its own
-  std::vector<std::uint32_t> lights;     ///< one a triangle, or none at all
+  std::vector<std::uint32_t> lights;     ///< one a triangle, or empty where none shines
 };
 
 enum class MtlUse : std::uint8_t { Read, Ignore };
 
-/// The triangles of one of the file's materials.
-[[nodiscard]] inline MeshBuffers<float> part_of_mesh(const MeshBuffers<float>& mesh,
-                                                     const std::vector<std::uint32_t>& material_ids, std::size_t id) {
-  MeshBuffers<float> part{.positions = mesh.positions, .normals = {}, .uvs = {}, .indices = {}};
-  for (std::size_t i = 0; i < material_ids.size(); ++i) {
-    if (material_ids[i] != id) continue;
-    for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner) part.indices.push_back(mesh.indices[corner]);
-  }
-  return part;
-}
-
-/// The lamps of a placed mesh: one of each material that shines.
+/// The lamps of a placed mesh: the triangles whose material shines.
 inline void add_lamps(LoadedMesh& mesh, const ObjMesh& obj, SceneDraft& draft) {
-  for (std::size_t id = 0; id < obj.materials.size(); ++id) {
-    if (is_black(obj.materials[id].emission)) continue;
-    auto shape = mesh_light(part_of_mesh(mesh.buffers, obj.material_ids, id), obj.materials[id].emission);
-    if (!shape) continue;  // no triangle has this material
-    const std::uint32_t light = draft.add_light(*std::move(shape));
-    mesh.lights.resize(obj.material_ids.size(), none<std::uint32_t>);
-    for (std::size_t i = 0; i < obj.material_ids.size(); ++i) {
-      if (obj.material_ids[i] == id) mesh.lights[i] = light;
-    }
-  }
+  const auto radiance_of = [&](std::uint32_t triangle) -> std::optional<Rgb> {
+    const Rgb& emission = obj.materials[obj.material_ids[triangle]].emission;
+    return is_black(emission) ? std::nullopt : std::optional(emission);
+  };
+  mesh.lights = add_mesh_lights(mesh.buffers, radiance_of, draft);
 }
 
 /// Reads and places a mesh.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -96,9 +97,11 @@ inline void attribute_mesh(LoadedMesh& mesh, JsonObject& object, SceneDraft& dra
   const ObjectAttributes attributes = read_attributes(object, draft);
   mesh.materials.assign(mesh.buffers.indices.size() / 3, attributes.material);
   if (!attributes.radiance) return;
-  auto shape = mesh_light(mesh.buffers, *attributes.radiance);
-  if (!shape) object.fail("a mesh without area cannot be a light");
-  mesh.lights.assign(mesh.materials.size(), draft.add_light(*std::move(shape)));
+  mesh.lights = add_mesh_lights(
+      mesh.buffers, [&](std::uint32_t /*triangle*/) { return attributes.radiance; }, draft);
+  const bool shines =
+      std::any_of(mesh.lights.begin(), mesh.lights.end(), [](auto i) { return i != none<std::uint32_t>; });
+  if (!shines) object.fail("a mesh without area cannot be a light");
 }
 
 inline void read_mesh(JsonObject& object, SceneDraft& draft) {
