@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <glint/core/one_of.hpp>  // first, so the header proves it stands alone
 
+#include <array>
+#include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <support/catch.hpp>
 
@@ -100,6 +104,73 @@ TEST_CASE("one of: the last of several types is found as the first is", "[core][
   CHECK(Many{Scale{}}.visit(is_scale));
   CHECK_FALSE(Many{Silent{}}.visit(is_scale));
   CHECK_FALSE(Many{1}.visit(is_scale));
+}
+
+TEST_CASE("one of: is copied as bytes where all its types are", "[core][one_of]") {
+  STATIC_REQUIRE(std::is_trivially_copyable_v<Either>);
+  STATIC_REQUIRE(std::is_trivially_destructible_v<Either>);
+  STATIC_REQUIRE_FALSE(std::is_trivially_copyable_v<glint::OneOf<Scale, std::string>>);
+}
+
+TEST_CASE("one of: has room and alignment for each of its types, and no more than a word beside", "[core][one_of]") {
+  struct alignas(32) Wide {
+    std::array<char, 64> bytes;
+  };
+  using Mixed = glint::OneOf<char, Wide, double>;
+  STATIC_REQUIRE(alignof(Mixed) == 32);
+  STATIC_REQUIRE(sizeof(Mixed) == 64 + 32);
+  STATIC_REQUIRE(sizeof(Either) == 2 * sizeof(float));
+}
+
+TEST_CASE("one of: copies its value, which is then another", "[core][one_of]") {
+  using Word = glint::OneOf<std::string, std::vector<int>, int>;
+  const Word first{std::vector<int>{1, 2, 3}};
+  Word second = first;
+  second.visit([](auto& x) {
+    if constexpr (std::is_same_v<decltype(x), std::vector<int>&>) x.push_back(4);
+  });
+  CHECK(*first.get_if<std::vector<int>>() == std::vector<int>{1, 2, 3});
+  CHECK(*second.get_if<std::vector<int>>() == std::vector<int>{1, 2, 3, 4});
+  second = Word{std::string("a text too long to be kept inside of the string object itself")};
+  second = first;
+  CHECK(second == first);
+  const Word& itself = second;
+  second = itself;
+  CHECK(second == first);
+}
+
+TEST_CASE("one of: moves its value along", "[core][one_of]") {
+  using Owner = glint::OneOf<int, std::unique_ptr<int>>;
+  STATIC_REQUIRE_FALSE(std::is_copy_constructible_v<Owner>);
+  auto owned = std::make_unique<int>(7);
+  const int* const address = owned.get();
+  Owner first{std::move(owned)};
+  Owner second{1};
+  second = std::move(first);
+  REQUIRE(second.get_if<std::unique_ptr<int>>() != nullptr);
+  CHECK(second.get_if<std::unique_ptr<int>>()->get() == address);
+  const Owner third = std::move(second);
+  CHECK(third.get_if<std::unique_ptr<int>>()->get() == address);
+}
+
+TEST_CASE("one of: destroys each value once", "[core][one_of]") {
+  using Shared = glint::OneOf<int, std::shared_ptr<int>, std::string>;
+  const auto watched = std::make_shared<int>(7);
+  {
+    Shared first{watched};
+    Shared second = first;
+    CHECK(watched.use_count() == 3);
+    second = Shared{std::string("another")};
+    CHECK(watched.use_count() == 2);
+    second = first;
+    first = second;
+    CHECK(watched.use_count() == 3);
+    second = std::move(first);
+    CHECK(watched.use_count() == 2);
+    const std::vector<Shared> several(5, second);
+    CHECK(watched.use_count() == 7);
+  }
+  CHECK(watched.use_count() == 1);
 }
 
 }  // namespace test_core_one_of

@@ -36,7 +36,7 @@ struct Blend {
 
   [[nodiscard]] constexpr bool is_specular() const { return first.is_specular() && second.is_specular(); }
 
-  [[nodiscard]] friend constexpr bool operator==(const Blend&, const Blend&) = default;
+  [[nodiscard]] friend bool operator==(const Blend&, const Blend&) = default;
 
  private:
   /// A sample of the chosen one; what the other one scatters there is added, unless nothing else leads there.

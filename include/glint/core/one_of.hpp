@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <new>
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 namespace glint {
 
@@ -15,6 +17,11 @@ namespace detail {
 
 template <typename T, typename... Ts>
 inline constexpr bool is_among = (std::is_same_v<T, Ts> || ...);
+
+template <typename T, typename... /*Rest*/>
+struct FirstOf {
+  using type = T;
+};
 
 /// OneOf<…> of the distinct types in a list; the type itself where there is just one.
 template <typename Unique, typename... Rest>
@@ -30,6 +37,9 @@ struct Distinct<OneOf<U>> {
 template <typename... Us, typename T, typename... Rest>
 struct Distinct<OneOf<Us...>, T, Rest...>
     : std::conditional_t<is_among<T, Us...>, Distinct<OneOf<Us...>, Rest...>, Distinct<OneOf<Us..., T>, Rest...>> {};
+
+template <typename F, typename... As>
+using OneOfResults = typename Distinct<OneOf<>, std::remove_cvref_t<std::invoke_result_t<F, As>>...>::type;
 
 /// What a forwarded member function asks of each alternative.
 template <typename T, typename... A>
@@ -77,6 +87,89 @@ concept HasNext2d = requires(T& x) {
   x.next_2d();
 };
 
+/// The place of a type in a list. Requires: it is there.
+template <typename T, typename... Ts>
+[[nodiscard]] consteval std::uint8_t place_among() noexcept {
+  std::uint8_t place = 0;
+  (void)((std::is_same_v<T, Ts> || (++place, false)) || ...);
+  return place;
+}
+
+/// Room for a value of one of the types, and which of them lives there.
+template <typename... Ts>
+class OneOfRoom {
+  static_assert(sizeof...(Ts) <= 255);
+
+ public:
+  template <typename T, typename... A>
+  explicit OneOfRoom(std::in_place_type_t<T> /*type*/, A&&... a) : place_(place_among<T, Ts...>()) {
+    ::new (static_cast<void*>(room_)) T(std::forward<A>(a)...);
+  }
+
+  template <typename T>
+  [[nodiscard]] bool holds() const noexcept {
+    return place_ == place_among<T, Ts...>();
+  }
+
+  /// Requires: holds<T>(). Not by std::launder, which keeps compilers from seeing what was put there.
+  template <typename T>
+  [[nodiscard]] const T& as() const noexcept {
+    return *static_cast<const T*>(static_cast<const void*>(room_));
+  }
+  template <typename T>
+  [[nodiscard]] T& as() noexcept {
+    return *static_cast<T*>(static_cast<void*>(room_));
+  }
+
+ protected:
+  OneOfRoom() = default;  // for those who fill it at once
+
+  void copy_from(const OneOfRoom& other) {
+    (void)((other.holds<Ts>() && ::new (static_cast<void*>(room_)) Ts(other.as<Ts>())) || ...);
+    place_ = other.place_;
+  }
+  void move_from(OneOfRoom& other) noexcept {
+    (void)((other.holds<Ts>() && ::new (static_cast<void*>(room_)) Ts(std::move(other.as<Ts>()))) || ...);
+    place_ = other.place_;
+  }
+  void destroy() noexcept { (void)((holds<Ts>() && (as<Ts>().~Ts(), true)) || ...); }
+
+ private:
+  alignas(Ts...) std::byte room_[std::max({sizeof(Ts)...})];
+  std::uint8_t place_;
+};
+
+/// The same with what its values need to be copied and destroyed: nothing, or what they say.
+///
+/// std::variant would do, but takes a compiler several times as long.
+template <bool trivially_copyable, typename... Ts>
+class OneOfValue : public OneOfRoom<Ts...> {
+ public:
+  using OneOfRoom<Ts...>::OneOfRoom;
+};
+template <typename... Ts>
+class OneOfValue<false, Ts...> : public OneOfRoom<Ts...> {
+  static_assert((std::is_nothrow_move_constructible_v<Ts> && ...), "assignment would lose a value");
+
+ public:
+  using OneOfRoom<Ts...>::OneOfRoom;
+  OneOfValue(const OneOfValue& other) requires(std::is_copy_constructible_v<Ts>&&...) : OneOfRoom<Ts...>() {
+    this->copy_from(other);
+  }
+  OneOfValue(OneOfValue&& other) noexcept : OneOfRoom<Ts...>() { this->move_from(other); }
+  OneOfValue& operator=(const OneOfValue& other) {
+    if (this != &other) *this = OneOfValue(other);
+    return *this;
+  }
+  OneOfValue& operator=(OneOfValue&& other) noexcept {
+    if (this == &other) return *this;
+    this->destroy();
+    this->move_from(other);
+    return *this;
+  }
+  ~OneOfValue() { this->destroy(); }
+};
+
 }  // namespace detail
 
 /// A value that is one of the listed types, chosen at run time: the open sum type by which users mix their own
@@ -86,104 +179,108 @@ concept HasNext2d = requires(T& x) {
 /// B do. Where the alternatives return different types, it returns the OneOf of those.
 template <typename... Ts>
 class OneOf {
+  using First = typename detail::FirstOf<Ts...>::type;
+
  public:
   /// Requires an argument of one of the types: no conversions, so that no alternative is chosen by accident.
   template <typename T>
     requires detail::is_among<std::remove_cvref_t<T>, Ts...>
-  constexpr OneOf(T&& value) : value_(std::forward<T>(value)) {}
+  explicit(false) OneOf(T&& value) : value_(std::in_place_type<std::remove_cvref_t<T>>, std::forward<T>(value)) {}
 
   /// The first type's default value, where it has one.
-  constexpr OneOf() requires std::default_initializable<std::variant<Ts...>>
-  = default;
+  OneOf() requires(std::default_initializable<First>) : value_(std::in_place_type<First>) {}
 
   /// Calls f with the value held; all calls must return the same type.
   template <typename F>
-  constexpr decltype(auto) visit(F&& f) const {
-    return pick<0>(*this, f);
+  decltype(auto) visit(F&& f) const {
+    return pick<Ts...>(*this, f);
   }
   template <typename F>
-  constexpr decltype(auto) visit(F&& f) {
-    return pick<0>(*this, f);
+  decltype(auto) visit(F&& f) {
+    return pick<Ts...>(*this, f);
   }
 
   /// Calls f with the value held; the results, of whatever types, come back as one OneOf.
   template <typename F>
-  [[nodiscard]] constexpr auto transform(F&& f) const {
-    using Result =
-        typename detail::Distinct<OneOf<>, std::remove_cvref_t<std::invoke_result_t<F&, const Ts&>>...>::type;
-    return visit([&](const auto& x) { return Result(f(x)); });
+  [[nodiscard]] auto transform(F&& f) const -> detail::OneOfResults<F&, const Ts&...> {
+    return visit([&](const auto& x) { return detail::OneOfResults<F&, const Ts&...>(f(x)); });
   }
 
   /// The value if it has this type, else null.
   template <typename T>
-  [[nodiscard]] constexpr const T* get_if() const noexcept {
-    return std::get_if<T>(&value_);
+  [[nodiscard]] const T* get_if() const noexcept {
+    return value_.template holds<T>() ? &value_.template as<T>() : nullptr;
   }
 
-  template <typename... A>
+  template <typename... A, typename T = First>
     requires(detail::Evaluates<Ts, A...>&&...)
-  [[nodiscard]] constexpr auto evaluate(const A&... a) const {
+  [[nodiscard]] auto evaluate(const A&... a) const -> decltype(std::declval<const T&>().evaluate(a...)) {
     return visit([&](const auto& x) { return x.evaluate(a...); });
   }
-  template <typename... A>
+  template <typename... A, typename T = First>
     requires(detail::HasPdf<Ts, A...>&&...)
-  [[nodiscard]] constexpr auto pdf(const A&... a) const {
+  [[nodiscard]] auto pdf(const A&... a) const -> decltype(std::declval<const T&>().pdf(a...)) {
     return visit([&](const auto& x) { return x.pdf(a...); });
   }
-  template <typename... A>
+  template <typename... A, typename T = First>
     requires(detail::Samples<Ts, A...>&&...)
-  [[nodiscard]] constexpr auto sample(const A&... a) const {
+  [[nodiscard]] auto sample(const A&... a) const -> decltype(std::declval<const T&>().sample(a...)) {
     return visit([&](const auto& x) { return x.sample(a...); });
   }
-  template <typename... A>
+  template <typename... A, typename T = First>
     requires(detail::HasPower<Ts, A...>&&...)
-  [[nodiscard]] constexpr auto power(const A&... a) const {
+  [[nodiscard]] auto power(const A&... a) const -> decltype(std::declval<const T&>().power(a...)) {
     return visit([&](const auto& x) { return x.power(a...); });
   }
-  template <typename... A>
+  template <typename... A, typename T = First>
     requires(detail::CastsRay<Ts, A...>&&...)
-  [[nodiscard]] constexpr auto ray(const A&... a) const {
+  [[nodiscard]] auto ray(const A&... a) const -> decltype(std::declval<const T&>().ray(a...)) {
     return visit([&](const auto& x) { return x.ray(a...); });
   }
-  [[nodiscard]] constexpr bool is_specular() const requires(detail::HasIsSpecular<Ts>&&...) {
+  [[nodiscard]] bool is_specular() const requires(detail::HasIsSpecular<Ts>&&...) {
     return visit([](const auto& x) { return x.is_specular(); });
   }
-  [[nodiscard]] constexpr float radius() const requires(detail::HasRadius<Ts>&&...) {
+  [[nodiscard]] float radius() const requires(detail::HasRadius<Ts>&&...) {
     return visit([](const auto& x) { return x.radius; });
   }
-  [[nodiscard]] constexpr float next_1d() requires(detail::HasNext1d<Ts>&&...) {
+  [[nodiscard]] float next_1d() requires(detail::HasNext1d<Ts>&&...) {
     return visit([](auto& x) { return x.next_1d(); });
   }
-  [[nodiscard]] constexpr auto next_2d() requires(detail::HasNext2d<Ts>&&...) {
+  [[nodiscard]] auto next_2d() requires(detail::HasNext2d<Ts>&&...) {
     return visit([](auto& x) { return x.next_2d(); });
   }
   template <typename... A>
     requires(detail::HasRays<Ts, A...>&&...)
-  [[nodiscard]] constexpr auto rays(const A&... a) const {
+  [[nodiscard]] auto rays(const A&... a) const {
     return transform([&](const auto& x) { return x.rays(a...); });
   }
   template <typename... A>
     requires(detail::Streams<Ts, A...>&&...)
-  [[nodiscard]] constexpr auto stream(const A&... a) const {
+  [[nodiscard]] auto stream(const A&... a) const {
     return transform([&](const auto& x) { return x.stream(a...); });
   }
 
-  [[nodiscard]] friend constexpr bool operator==(const OneOf&,
-                                                 const OneOf&) requires(std::equality_comparable<Ts>&&...) = default;
+  [[nodiscard]] friend bool operator==(const OneOf& a, const OneOf& b) requires(std::equality_comparable<Ts>&&...) {
+    return a.visit([&]<typename T>(const T& x) {
+      const T* const y = b.template get_if<T>();
+      return y != nullptr && x == *y;
+    });
+  }
 
  private:
-  /// A chain of comparisons: compilers turn it into a switch and inline the calls, which std::visit prevents.
-  template <std::size_t I, typename Self, typename F>
-  static constexpr decltype(auto) pick(Self& self, F& f) {
-    if constexpr (I + 1 == sizeof...(Ts)) {
-      return f(*std::get_if<I>(&self.value_));
+  /// A chain of comparisons: compilers turn it into a switch and inline the calls, which a table of functions
+  /// prevents.
+  template <typename T, typename... Rest, typename Self, typename F>
+  static decltype(auto) pick(Self& self, F& f) {
+    if constexpr (sizeof...(Rest) == 0) {
+      return f(self.value_.template as<T>());
     } else {
-      if (self.value_.index() == I) return f(*std::get_if<I>(&self.value_));
-      return pick<I + 1>(self, f);
+      if (self.value_.template holds<T>()) return f(self.value_.template as<T>());
+      return pick<Rest...>(self, f);
     }
   }
 
-  std::variant<Ts...> value_;
+  detail::OneOfValue<(std::is_trivially_copyable_v<Ts> && ...), Ts...> value_;
 };
 
 }  // namespace glint
