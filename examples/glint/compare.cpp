@@ -2,8 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
-#include <memory>
 #include <string>
 
 #include <glint/color/compare.hpp>
@@ -13,16 +11,6 @@
 #include "output.hpp"
 
 namespace {
-
-struct CompareArguments {
-  std::filesystem::path image;
-  std::filesystem::path reference;
-  std::filesystem::path difference_image;
-  double max_rmse = std::numeric_limits<double>::infinity();
-  double max_relmse = std::numeric_limits<double>::infinity();
-  double max_mean_error = std::numeric_limits<double>::infinity();
-  double max_share = std::numeric_limits<double>::infinity();
-};
 
 /// |a − b|, channel by channel.
 glint::Image absolute_difference(const glint::Image& a, const glint::Image& b) {
@@ -50,6 +38,8 @@ void require_writable(const CompareArguments& arguments) {
   require_writable_image(output);
 }
 
+}  // namespace
+
 int compare_images(const CompareArguments& arguments) {
   if (!arguments.difference_image.empty()) require_writable(arguments);
   const glint::Image image = glint::read_image(arguments.image);
@@ -72,27 +62,4 @@ int compare_images(const CompareArguments& arguments) {
     glint::write_image(absolute_difference(image, reference), arguments.difference_image);
   }
   return holds ? 0 : 1;
-}
-
-}  // namespace
-
-void add_compare_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("compare", "Measure how far an image is from a reference");
-  const auto arguments = std::make_shared<CompareArguments>();
-  command->add_option("A", arguments->image, "The image")->required()->option_text(" ");
-  command->add_option("B", arguments->reference, "Its reference")->required()->option_text(" ");
-  command->add_option("--max-rmse", arguments->max_rmse, "Fail above this root mean squared error")->option_text("X");
-  command
-      ->add_option("--max-relmse", arguments->max_relmse,
-                   "Fail above this relative error: the mean of (A-B)^2 / (B^2 + 0.01)")
-      ->option_text("X");
-  command->add_option("--max-mean-error", arguments->max_mean_error, "Fail where |mean A / mean B - 1| is above this")
-      ->option_text("X");
-  command
-      ->add_option("--max-share", arguments->max_share,
-                   "Fail above this share of pixels with a channel off by more than 0.01")
-      ->option_text("X");
-  command->add_option("--difference", arguments->difference_image, "Write |A - B| as an image: .exr, .hdr or .png")
-      ->option_text("FILE");
-  command->callback([arguments, &exit_code] { exit_code = compare_images(*arguments); });
 }

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,9 +14,10 @@
 #include <glint/geometry/triangle_mesh.hpp>
 #include <glint/io/image.hpp>
 #include <glint/io/mesh_obj.hpp>
-#include <glint/io/scene_json.hpp>
+#include <glint/io/scene_file.hpp>
 
 #include "commands.hpp"
+#include "read_scene.hpp"
 
 namespace {
 
@@ -77,8 +77,7 @@ void tell_mesh(const std::filesystem::path& path) {
 }
 
 void tell_scene(const std::filesystem::path& path) {
-  const glint::SceneFile scene = glint::read_scene(path);
-  for (const std::string& warning : scene.warnings) std::fprintf(stderr, "glint: warning: %s\n", warning.c_str());
+  const glint::SceneFile scene = read_scene({.path = path});
   std::printf("%-14s %zu triangles, %zu spheres, %zu disks, %zu rectangles\n", "scene", scene.triangle_count(),
               scene.spheres.size(), scene.disks.size(), scene.quads.size());
   std::printf("%-14s %zu\n%-14s %zu\n", "materials", scene.materials.size(), "lights", scene.lights.size());
@@ -90,7 +89,9 @@ void tell_scene(const std::filesystem::path& path) {
   for (const std::filesystem::path& input : scene.inputs) std::printf("%-14s %s\n", "reads", input.string().c_str());
 }
 
-void tell(const std::filesystem::path& path) {
+}  // namespace
+
+int tell_of_file(const std::filesystem::path& path) {
   static constexpr std::array<std::string_view, 7> images{".exr", ".hdr", ".png", ".jpg", ".jpeg", ".bmp", ".tga"};
   const std::string extension = glint::detail::lower_case_extension(path);
   if (extension == ".json") {
@@ -102,16 +103,5 @@ void tell(const std::filesystem::path& path) {
   } else {
     throw glint::IoError(path, "is of no known kind: expected .json, .obj or an image");
   }
-}
-
-}  // namespace
-
-void add_info_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("info", "Say what is in a scene, a mesh or an image");
-  const auto path = std::make_shared<std::filesystem::path>();
-  command->add_option("FILE", *path, "A .json scene, an .obj mesh, or an image")->required()->option_text(" ");
-  command->callback([path, &exit_code] {
-    tell(*path);
-    exit_code = 0;
-  });
+  return 0;
 }
