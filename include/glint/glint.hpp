@@ -96,6 +96,7 @@
 #include <glint/color/tone.hpp>
 #include <glint/color/tone_curve.hpp>
 #include <glint/core/config.hpp>
+#include <glint/core/counter.hpp>
 #include <glint/core/executor.hpp>
 #include <glint/core/fixed_stack.hpp>
 #include <glint/core/hash.hpp>

@@ -3,7 +3,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstring>
-#include <ranges>
 #include <span>
 #include <type_traits>
 
@@ -25,9 +24,9 @@ class Strided {
       : first_(static_cast<const std::byte*>(first)), size_(size), stride_(stride) {}
   /// A tightly packed array.
   Strided(std::span<const V> values) noexcept : Strided(values.data(), values.size()) {}
-  template <std::ranges::contiguous_range R>
-    requires std::same_as<std::ranges::range_value_t<R>, V> && std::ranges::sized_range<R> Strided(const R& values)
-  noexcept : Strided(std::ranges::data(values), std::ranges::size(values)) {}
+  template <typename R>
+    requires std::convertible_to<const R&, std::span<const V>> Strided(const R& values)
+  noexcept : Strided(std::span<const V>(values)) {}
 
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
   [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }

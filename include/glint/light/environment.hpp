@@ -12,6 +12,7 @@
 
 #include <glint/light/concepts.hpp>
 #include <glint/light/emission.hpp>
+#include <glint/math/affine.hpp>
 #include <glint/math/constants.hpp>
 #include <glint/math/distribution.hpp>
 #include <glint/math/spherical.hpp>

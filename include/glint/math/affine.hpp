@@ -7,6 +7,7 @@
 #include <span>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include <glint/math/constants.hpp>
@@ -15,6 +16,10 @@
 #include <glint/math/vec.hpp>
 
 namespace glint {
+
+/// GLM's matrix with the layout spelled out, as Vec3 is.
+template <std::floating_point T>
+using Mat3 = glm::mat<3, 3, T, glm::packed_highp>;
 
 /// An affine map p ↦ linear · p + translation; the default is the identity. `a * b` applies b first.
 ///

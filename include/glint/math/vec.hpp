@@ -5,7 +5,6 @@
 #include <concepts>
 
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -19,8 +18,6 @@ template <std::floating_point T>
 using Vec2 = glm::vec<2, T, glm::packed_highp>;
 template <std::floating_point T>
 using Vec3 = glm::vec<3, T, glm::packed_highp>;
-template <std::floating_point T>
-using Mat3 = glm::mat<3, 3, T, glm::packed_highp>;
 
 /// Pixel coordinates and image sizes.
 using Vec2i = glm::vec<2, int, glm::packed_highp>;

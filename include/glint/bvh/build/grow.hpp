@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <concepts>
 #include <cstddef>
 #include <limits>
@@ -12,6 +11,7 @@
 
 #include <glint/bvh/build/reference.hpp>
 #include <glint/bvh/tree.hpp>
+#include <glint/core/counter.hpp>
 #include <glint/core/uninitialized.hpp>
 
 namespace glint::detail {
@@ -67,7 +67,7 @@ class Grower {
   void grow(const Part<T>& part, std::size_t at, int depth) {
     std::optional<std::pair<Part<T>, Part<T>>> children;
     if (part.count > 1 && depth < max_depth_) children = splitter_.split(part, capacity(depth), executor_);
-    const std::size_t first = children ? used_.fetch_add(2, std::memory_order_relaxed) : part.first;
+    const std::size_t first = children ? used_.take(2) : part.first;
     const Aabb<T> box = part.box.box();
     nodes_[at] = {{box.lower.x, box.lower.y, box.lower.z},
                   {box.upper.x, box.upper.y, box.upper.z},
@@ -86,7 +86,7 @@ class Grower {
   [[nodiscard]] Tree<T, I> numbered() {
     Tree<T, I> tree;
     std::size_t slots = 0;
-    tree.nodes.reserve(used_);
+    tree.nodes.reserve(used_.value());
     tree.nodes.push_back(node(0));
     struct Pending {
       std::size_t node;
@@ -132,7 +132,7 @@ class Grower {
   Part<T> root_;
   UninitializedVector<Node> nodes_;
   std::vector<I> order_;
-  std::atomic<std::size_t> used_{1};
+  Counter used_{1};
 };
 
 /// A tree over a set, by references that a splitter, `make_splitter(references, root)`, knows how to split. It

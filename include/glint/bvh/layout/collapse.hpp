@@ -6,13 +6,13 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <type_traits>
 
 #include <glint/bvh/concepts.hpp>
 #include <glint/bvh/tree.hpp>
 #include <glint/core/executor.hpp>
+#include <glint/core/uninitialized.hpp>
 #include <glint/geometry/aabb.hpp>
 
 namespace glint {
@@ -51,7 +51,7 @@ template <std::floating_point T, std::unsigned_integral I, int N>
 class GreedyCollapse {
  public:
   template <Executor E>
-  GreedyCollapse(const Tree<T, I>& tree, const E& executor) : tree_(tree), counts_(new I[tree.nodes.size()]) {
+  GreedyCollapse(const Tree<T, I>& tree, const E& executor) : tree_(tree), counts_(tree.nodes.size()) {
     count(0, executor, fork_levels(tree.nodes.size()) / 3);
   }
 
@@ -95,7 +95,7 @@ class GreedyCollapse {
   }
 
   const Tree<T, I>& tree_;
-  std::unique_ptr<I[]> counts_;
+  UninitializedVector<I> counts_;
 };
 
 /// Siblings are planned from the leaves up. Let c(n, i) be the least sum of the areas of wide nodes that represent what
@@ -114,7 +114,7 @@ template <std::floating_point T, std::unsigned_integral I, int N>
 class OptimalCollapse {
  public:
   template <Executor E>
-  OptimalCollapse(const Tree<T, I>& tree, const E& executor) : tree_(tree), plans_(new Plan[tree.nodes.size()]) {
+  OptimalCollapse(const Tree<T, I>& tree, const E& executor) : tree_(tree), plans_(tree.nodes.size()) {
     solve(0, executor, fork_levels(tree.nodes.size()));
   }
 
@@ -205,7 +205,7 @@ class OptimalCollapse {
   }
 
   const Tree<T, I>& tree_;
-  std::unique_ptr<Plan[]> plans_;
+  UninitializedVector<Plan> plans_;
 };
 
 /// Numbers wide nodes, siblings side by side and each before what is below it, and shows each to the layout.
