@@ -141,7 +141,7 @@ class OneOfRoom {
 
 /// The same with what its values need to be copied and destroyed: nothing, or what they say.
 ///
-/// std::variant would do, but takes a compiler several times as long.
+/// std::variant would do, but compilers take longer over it: docs/decisions/sum_types.md.
 template <bool trivially_copyable, typename... Ts>
 class OneOfValue : public OneOfRoom<Ts...> {
  public:
