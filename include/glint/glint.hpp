@@ -71,6 +71,7 @@
 #include <glint/bvh/query/overlap.hpp>
 #include <glint/bvh/query/packet.hpp>
 #include <glint/bvh/query/pairs.hpp>
+#include <glint/bvh/query/parity.hpp>
 #include <glint/bvh/query/ray.hpp>
 #include <glint/bvh/query/region.hpp>
 #include <glint/bvh/query/triangle_block.hpp>
