@@ -126,6 +126,7 @@
 #include <glint/geometry/disk.hpp>
 #include <glint/geometry/elements.hpp>
 #include <glint/geometry/hit.hpp>
+#include <glint/geometry/implicit_surface.hpp>
 #include <glint/geometry/mesh_buffers.hpp>
 #include <glint/geometry/motion.hpp>
 #include <glint/geometry/offset.hpp>
